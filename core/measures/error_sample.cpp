@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "core/describe/text.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/ray/surface_rays.h"
 
@@ -82,7 +83,7 @@ class SampleProgress final : public Progress {
 public:
     explicit SampleProgress(Progress& progress) : progress_(progress) {}
     void report(double fraction, std::string_view) override {
-        progress_.report(fraction, "measuring the error on a sample");
+        progress_.report(fraction, NM_TEXT("measuring the error on a sample"));
     }
 
 private:

@@ -1930,10 +1930,6 @@ Alle Seiten %2, Fläche %3</translation>
         <translation>%1 &gt; %2 min: %3</translation>
     </message>
     <message>
-        <source>Points of %1</source>
-        <translation>Punkte von %1</translation>
-    </message>
-    <message>
         <source>Saved result %1</source>
         <translation>Gespeichertes Ergebnis %1</translation>
     </message>
@@ -1944,14 +1940,6 @@ Alle Seiten %2, Fläche %3</translation>
     <message>
         <source>Interval of the table: its weight, and its contribution to the score</source>
         <translation>Intervall der Tabelle: sein Gewicht und sein Beitrag zum Wert</translation>
-    </message>
-    <message>
-        <source>Score of %1 with %2</source>
-        <translation>Bewertung von %1 mit %2</translation>
-    </message>
-    <message>
-        <source>Study of %1</source>
-        <translation>Untersuchung von %1</translation>
     </message>
     <message>
         <source>Save table</source>
@@ -2094,14 +2082,6 @@ Die Untersuchung: %2</translation>
     <message>
         <source>Contributions</source>
         <translation>Beiträge</translation>
-    </message>
-    <message>
-        <source>Sun by place in %1</source>
-        <translation>Sonne nach Ort in %1</translation>
-    </message>
-    <message>
-        <source>Sun by place in %1 compared with %2</source>
-        <translation>Sonne nach Ort in %1, verglichen mit %2</translation>
     </message>
     <message>
         <source>%1 h of sun a day</source>
@@ -2496,6 +2476,323 @@ Opens the panel Review.</source>
     <message>
         <source>New shadow a day, by cells of %1: %2</source>
         <translation>Neuer Schatten am Tag, nach Zellen von %1: %2</translation>
+    </message>
+    <message>
+        <source>Existing</source>
+        <translation>Bestand</translation>
+    </message>
+    <message>
+        <source>every %1 min</source>
+        <translation>alle %1 min</translation>
+    </message>
+    <message>
+        <source>no refraction</source>
+        <translation>ohne Refraktion</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Ja</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Nein</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Ignorieren</translation>
+    </message>
+</context>
+<context>
+    <name>QUndoStack</name>
+    <message>
+        <source>Undo %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+</context>
+<context>
+    <name>Rule</name>
+    <message>
+        <source>Boston, Article 80 diagrams</source>
+        <translation>Boston, Diagramme nach Article 80</translation>
+    </message>
+    <message>
+        <source>Boston</source>
+        <translation>Boston</translation>
+    </message>
+    <message>
+        <source>Boston, Common and Garden</source>
+        <translation>Boston, Common und Garden</translation>
+    </message>
+    <message>
+        <source>Boston, Midtown</source>
+        <translation>Boston, Midtown</translation>
+    </message>
+    <message>
+        <source>BRE 209 (2022), amenity space</source>
+        <translation>BRE 209 (2022), Freiflächen</translation>
+    </message>
+    <message>
+        <source>London</source>
+        <translation>London</translation>
+    </message>
+    <message>
+        <source>BRE 209 (2022), windows</source>
+        <translation>BRE 209 (2022), Fenster</translation>
+    </message>
+    <message>
+        <source>New York, CEQR chapter 8</source>
+        <translation>New York, CEQR Kapitel 8</translation>
+    </message>
+    <message>
+        <source>New York</source>
+        <translation>New York</translation>
+    </message>
+    <message>
+        <source>China, GB 50180, sunlight of homes</source>
+        <translation>China, GB 50180, Sonne in Wohnungen</translation>
+    </message>
+    <message>
+        <source>China</source>
+        <translation>China</translation>
+    </message>
+    <message>
+        <source>EN 17037, exposure to sunlight</source>
+        <translation>EN 17037, Besonnung</translation>
+    </message>
+    <message>
+        <source>Europe</source>
+        <translation>Europa</translation>
+    </message>
+    <message>
+        <source>Estonia, insolation of homes</source>
+        <translation>Estland, Besonnung von Wohnungen</translation>
+    </message>
+    <message>
+        <source>Estonia</source>
+        <translation>Estland</translation>
+    </message>
+    <message>
+        <source>Four days, three hours</source>
+        <translation>4 Tage, 3 Uhrzeiten</translation>
+    </message>
+    <message>
+        <source>Philadelphia, Seattle and others</source>
+        <translation>Philadelphia, Seattle und andere</translation>
+    </message>
+    <message>
+        <source>Japan, Building Standards Act, table 4</source>
+        <translation>Japan, Baunormengesetz, Tabelle 4</translation>
+    </message>
+    <message>
+        <source>Japan</source>
+        <translation>Japan</translation>
+    </message>
+    <message>
+        <source>Korea, right to sunlight</source>
+        <translation>Korea, Recht auf Sonne</translation>
+    </message>
+    <message>
+        <source>Korea</source>
+        <translation>Korea</translation>
+    </message>
+    <message>
+        <source>Melbourne, amendment C278</source>
+        <translation>Melbourne, Änderung C278</translation>
+    </message>
+    <message>
+        <source>Melbourne</source>
+        <translation>Melbourne</translation>
+    </message>
+    <message>
+        <source>Montreal, parks</source>
+        <translation>Montreal, Parks</translation>
+    </message>
+    <message>
+        <source>Montreal</source>
+        <translation>Montreal</translation>
+    </message>
+    <message>
+        <source>Montreal, east-west streets</source>
+        <translation>Montreal, Ost-West-Straßen</translation>
+    </message>
+    <message>
+        <source>New South Wales, Apartment Design Guide</source>
+        <translation>New South Wales, Apartment Design Guide</translation>
+    </message>
+    <message>
+        <source>New South Wales</source>
+        <translation>New South Wales</translation>
+    </message>
+    <message>
+        <source>A rule of your own</source>
+        <translation>Eine eigene Regel</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Poland, sunlight in rooms</source>
+        <translation>Polen, Sonne in Räumen</translation>
+    </message>
+    <message>
+        <source>Poland</source>
+        <translation>Polen</translation>
+    </message>
+    <message>
+        <source>Russia (central zone), share of territory</source>
+        <translation>Russland (mittlere Zone), Anteil der Fläche</translation>
+    </message>
+    <message>
+        <source>Russia</source>
+        <translation>Russland</translation>
+    </message>
+    <message>
+        <source>Russia (central zone), insolation of rooms</source>
+        <translation>Russland (mittlere Zone), Besonnung von Räumen</translation>
+    </message>
+    <message>
+        <source>San Francisco, Section 295 (Proposition K)</source>
+        <translation>San Francisco, Section 295 (Proposition K)</translation>
+    </message>
+    <message>
+        <source>San Francisco</source>
+        <translation>San Francisco</translation>
+    </message>
+    <message>
+        <source>The Hague, sunlight on facades</source>
+        <translation>Den Haag, Sonne auf Fassaden</translation>
+    </message>
+    <message>
+        <source>The Hague</source>
+        <translation>Den Haag</translation>
+    </message>
+    <message>
+        <source>Netherlands, TNO light</source>
+        <translation>Niederlande, TNO leicht</translation>
+    </message>
+    <message>
+        <source>Netherlands</source>
+        <translation>Niederlande</translation>
+    </message>
+    <message>
+        <source>Netherlands, TNO strict</source>
+        <translation>Niederlande, TNO streng</translation>
+    </message>
+    <message>
+        <source>Toronto, shadow study</source>
+        <translation>Toronto, Schattenstudie</translation>
+    </message>
+    <message>
+        <source>Toronto</source>
+        <translation>Toronto</translation>
+    </message>
+    <message>
+        <source>Vancouver, parks and schoolyards</source>
+        <translation>Vancouver, Parks und Schulhöfe</translation>
+    </message>
+    <message>
+        <source>Vancouver</source>
+        <translation>Vancouver</translation>
+    </message>
+    <message>
+        <source>Zurich, shadow of tall buildings</source>
+        <translation>Zürich, Schatten von Hochhäusern</translation>
+    </message>
+    <message>
+        <source>Zurich</source>
+        <translation>Zürich</translation>
+    </message>
+    <message>
+        <source>United States</source>
+        <translation>Vereinigte Staaten</translation>
+    </message>
+    <message>
+        <source>Britain (UK)</source>
+        <translation>Vereinigtes Königreich</translation>
+    </message>
+    <message>
+        <source>Korea (South)</source>
+        <translation>Südkorea</translation>
+    </message>
+    <message>
+        <source>Switzerland</source>
+        <translation>Schweiz</translation>
+    </message>
+    <message>
+        <source>Any country</source>
+        <translation>Jedes Land</translation>
+    </message>
+    <message>
+        <source>Canada</source>
+        <translation>Kanada</translation>
+    </message>
+    <message>
+        <source>Australia</source>
+        <translation>Australien</translation>
     </message>
 </context>
 <context>
@@ -5078,6 +5375,222 @@ Opens the panel Review.</source>
         <source>Change of the shadow score by month, m²</source>
         <translation>Änderung der Schattenbewertung nach Monaten, m²</translation>
     </message>
+    <message>
+        <source>duplicates</source>
+        <translation>doppelt</translation>
+    </message>
+    <message>
+        <source>Sun by place in %1</source>
+        <translation>Sonne nach Ort in %1</translation>
+    </message>
+    <message>
+        <source>Sun by place in %1 compared with %2</source>
+        <translation>Sonne nach Ort in %1, verglichen mit %2</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2</source>
+        <translation>%1 verglichen mit %2</translation>
+    </message>
+    <message>
+        <source>Score of %1 with %2</source>
+        <translation>Bewertung von %1 mit %2</translation>
+    </message>
+    <message>
+        <source>Study of %1</source>
+        <translation>Untersuchung von %1</translation>
+    </message>
+    <message>
+        <source>Points of %1</source>
+        <translation>Punkte von %1</translation>
+    </message>
+    <message>
+        <source>drawing diagrams</source>
+        <translation>zeichnet Diagramme</translation>
+    </message>
+    <message>
+        <source>drawing shadow fans</source>
+        <translation>zeichnet Schattenfächer</translation>
+    </message>
+    <message>
+        <source>drawing lines of equal hours</source>
+        <translation>zeichnet Linien gleicher Stunden</translation>
+    </message>
+    <message>
+        <source>drawing views from the sun</source>
+        <translation>zeichnet Blicke von der Sonne</translation>
+    </message>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>sucht Horizonte</translation>
+    </message>
+    <message>
+        <source>sweeping horizons of points</source>
+        <translation>sucht Horizonte der Punkte</translation>
+    </message>
+    <message>
+        <source>tracing rays from points</source>
+        <translation>verfolgt Strahlen von Punkten</translation>
+    </message>
+    <message>
+        <source>finding buildings in reach of the places</source>
+        <translation>sucht Gebäude, deren Schatten die Orte erreicht</translation>
+    </message>
+    <message>
+        <source>filling shadows</source>
+        <translation>füllt Schatten</translation>
+    </message>
+    <message>
+        <source>building the ray scene</source>
+        <translation>bereitet Strahlen vor</translation>
+    </message>
+    <message>
+        <source>tracing rays</source>
+        <translation>verfolgt Strahlen</translation>
+    </message>
+    <message>
+        <source>tracing rays through single trees</source>
+        <translation>verfolgt Strahlen durch einzelne Bäume</translation>
+    </message>
+    <message>
+        <source>unpacking the archive</source>
+        <translation>entpackt das Archiv</translation>
+    </message>
+    <message>
+        <source>making the buildings</source>
+        <translation>bildet die Gebäude</translation>
+    </message>
+    <message>
+        <source>reading the features</source>
+        <translation>liest die Objekte</translation>
+    </message>
+    <message>
+        <source>reading the city</source>
+        <translation>liest die Stadt</translation>
+    </message>
+    <message>
+        <source>reading the map</source>
+        <translation>liest die Karte</translation>
+    </message>
+    <message>
+        <source>reading windows</source>
+        <translation>liest Fenster</translation>
+    </message>
+    <message>
+        <source>repairing outlines</source>
+        <translation>repariert Umrisse</translation>
+    </message>
+    <message>
+        <source>making buildings</source>
+        <translation>bildet Gebäude</translation>
+    </message>
+    <message>
+        <source>they stand where the file states</source>
+        <translation>sie stehen, wo die Datei es angibt</translation>
+    </message>
+    <message>
+        <source>all were shifted onto it</source>
+        <translation>alle wurden darauf verschoben</translation>
+    </message>
+    <message>
+        <source>each building was set down on it</source>
+        <translation>jedes Gebäude wurde darauf gesetzt</translation>
+    </message>
+    <message>
+        <source>bases of %1 lie %2 m below the terrain (median of %3, spread %4 m)</source>
+        <translation>die Fußpunkte von %1 liegen %2 m unter dem Gelände (Median von %3, Streuung %4 m)</translation>
+    </message>
+    <message>
+        <source>bases of %1 lie %2 m above the terrain (median of %3, spread %4 m)</source>
+        <translation>die Fußpunkte von %1 liegen %2 m über dem Gelände (Median von %3, Streuung %4 m)</translation>
+    </message>
+    <message>
+        <source>%1 far from that gap were set down by themselves</source>
+        <translation>%1 mit anderem Abstand wurden einzeln abgesetzt</translation>
+    </message>
+    <message>
+        <source>%1 stay above the ground</source>
+        <translation>%1 bleiben über dem Boden</translation>
+    </message>
+    <message>
+        <source>finding the buildings</source>
+        <translation>sucht die Gebäude</translation>
+    </message>
+    <message>
+        <source>reading the mesh</source>
+        <translation>liest das Netz</translation>
+    </message>
+    <message>
+        <source>making buildings of the surface model</source>
+        <translation>bildet Gebäude aus dem Oberflächenmodell</translation>
+    </message>
+    <message>
+        <source>reading canopy</source>
+        <translation>liest die Kronenhöhen</translation>
+    </message>
+    <message>
+        <source>reading trees</source>
+        <translation>liest Bäume</translation>
+    </message>
+    <message>
+        <source>joining shadows</source>
+        <translation>vereinigt Schatten</translation>
+    </message>
+    <message>
+        <source>evaluating windows</source>
+        <translation>wertet Fenster aus</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are assumed (%3 m)</source>
+        <translation>%1 von %2 Höhen sind angenommen (%3 m)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are assumed (most of them %3 m)</source>
+        <translation>%1 von %2 Höhen sind angenommen (meist %3 m)</translation>
+    </message>
+    <message>
+        <source>Fields that could hold heights or storeys: %1</source>
+        <translation>Felder, die Höhen oder Geschosse enthalten könnten: %1</translation>
+    </message>
+    <message>
+        <source>In doubt: %1</source>
+        <translation>Zweifelhaft: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 km from %3, %4</source>
+        <translation>%1, %2 km von %3, %4</translation>
+    </message>
+    <message>
+        <source>no buildings</source>
+        <translation>keine Gebäude</translation>
+    </message>
+    <message>
+        <source>buildings: %1, parts: %2, up to %3 m high</source>
+        <translation>Gebäude: %1, Teile: %2, bis %3 m hoch</translation>
+    </message>
+    <message>
+        <source>on a terrain</source>
+        <translation>auf einem Gelände</translation>
+    </message>
+    <message>
+        <source>on flat ground</source>
+        <translation>auf ebenem Boden</translation>
+    </message>
+    <message>
+        <source>summing up places</source>
+        <translation>fasst Orte zusammen</translation>
+    </message>
+    <message>
+        <source>joining the timelines</source>
+        <translation>verbindet die Zeitleisten</translation>
+    </message>
+    <message>
+        <source>surveying the buildings</source>
+        <translation>misst die Gebäude</translation>
+    </message>
+    <message>
+        <source>writing the map</source>
+        <translation>schreibt die Karte</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5171,6 +5684,13 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
 </context>
 <context>
+    <name>noonmark::Breakdown</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>sucht Horizonte</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::BreakdownForm</name>
     <message>
         <source>Each month by itself</source>
@@ -5206,6 +5726,13 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
 </context>
 <context>
+    <name>noonmark::BuildingAdder</name>
+    <message>
+        <source>finding the buildings</source>
+        <translation>sucht die Gebäude</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::BuildingEditing</name>
     <message>
         <source>%1, %2
@@ -5219,6 +5746,13 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
             <numerusform>%1 Gebäude abreißen</numerusform>
             <numerusform>%1 Gebäude abreißen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CachedTile</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>sucht Horizonte</translation>
     </message>
 </context>
 <context>
@@ -5504,6 +6038,13 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Command</source>
         <translation>Befehl</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CrownTracer</name>
+    <message>
+        <source>tracing rays through trees</source>
+        <translation>verfolgt Strahlen durch Bäume</translation>
     </message>
 </context>
 <context>
@@ -6155,6 +6696,17 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
 </context>
 <context>
+    <name>noonmark::Filming</name>
+    <message>
+        <source>computing the frames of the movie</source>
+        <translation>berechnet die Bilder des Films</translation>
+    </message>
+    <message>
+        <source>writing the movie</source>
+        <translation>schreibt den Film</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::FurtherTable</name>
     <message>
         <source>Add tower</source>
@@ -6393,6 +6945,13 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     </message>
 </context>
 <context>
+    <name>noonmark::HorizonCache</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>sucht Horizonte</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::HoursOf</name>
     <message>
         <source>Hours of sun a day by month</source>
@@ -6613,6 +7172,13 @@ Dauerschatten bleibt, wie er ist: Die längste Sonne ohne Unterbrechung folgt ni
     </message>
 </context>
 <context>
+    <name>noonmark::LevelOutliner</name>
+    <message>
+        <source>projecting shadows</source>
+        <translation>wirft Schatten</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::LineForm</name>
     <message>
         <source>Parcel</source>
@@ -6789,6 +7355,13 @@ Genähert: die Legende nennt den gemessenen Fehler. Rückgängig nimmt das Verfa
     <message>
         <source>Painting the map</source>
         <translation>Die Karte wird gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MaskRun</name>
+    <message>
+        <source>filling shadows of places</source>
+        <translation>füllt Schatten der Orte</translation>
     </message>
 </context>
 <context>
@@ -7284,6 +7857,14 @@ Niedrigstes %3, Median %4, höchstes %5.</numerusform>
         <source>Add terrain</source>
         <translation>Gelände hinzufügen</translation>
     </message>
+    <message>
+        <source>Changed in reading: %1</source>
+        <translation>Beim Lesen geändert: %1</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::OtherScenario</name>
@@ -7325,6 +7906,13 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>Wall-clock time at which each day&apos;s hours begin, hours:minutes</source>
         <translation>Uhrzeit, zu der die Stunden jedes Tages beginnen, Stunden:Minuten</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PeriodSweep</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>sucht Horizonte</translation>
     </message>
 </context>
 <context>
@@ -7521,6 +8109,17 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>A terrain, an aerial photograph, trees, or parks and other places; what the city has stays</source>
         <translation>Ein Gelände, ein Luftbild, Bäume oder Parks und andere Orte; was die Stadt hat, bleibt</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceFile</name>
+    <message>
+        <source>reading places</source>
+        <translation>liest Orte</translation>
+    </message>
+    <message>
+        <source>repairing outlines</source>
+        <translation>repariert Umrisse</translation>
     </message>
 </context>
 <context>
@@ -8188,6 +8787,13 @@ Mit Bäumen: %1</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::PointShading</name>
+    <message>
+        <source>weighing crowns at points</source>
+        <translation>wägt Kronen an Punkten</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::PolygonDrawing</name>
     <message>
         <source>region</source>
@@ -8702,10 +9308,6 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
         <source>&amp;Export (%1)...</source>
         <translation>E&amp;xportieren (%1) ...</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
     <message numerus="yes">
         <source>All %1 scenario(s) measured</source>
         <translation>
@@ -9069,6 +9671,13 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Estimating</source>
         <translation>Wird abgeschätzt</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SampleProgress</name>
+    <message>
+        <source>measuring the error on a sample</source>
+        <translation>misst den Fehler an einer Stichprobe</translation>
     </message>
 </context>
 <context>
@@ -9828,6 +10437,20 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
 </context>
 <context>
+    <name>noonmark::ShadowCache::State</name>
+    <message>
+        <source>filling shadows</source>
+        <translation>füllt Schatten</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ShadowProjection</name>
+    <message>
+        <source>filling shadows</source>
+        <translation>füllt Schatten</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::SheetForm</name>
     <message>
         <source>Page</source>
@@ -10159,6 +10782,13 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
 </context>
 <context>
+    <name>noonmark::SurfaceTracer</name>
+    <message>
+        <source>tracing rays</source>
+        <translation>verfolgt Strahlen</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::TargetRow</name>
     <message>
         <source>Floor area</source>
@@ -10462,6 +11092,13 @@ vom Jahr ebenso viele Wochen</translation>
     <message>
         <source>Build %1</source>
         <translation>%1 bauen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Tracer</name>
+    <message>
+        <source>tracing rays</source>
+        <translation>verfolgt Strahlen</translation>
     </message>
 </context>
 <context>
@@ -10957,6 +11594,24 @@ vom Jahr ebenso viele Wochen</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::Watch</name>
+    <message>
+        <source>reading the picture</source>
+        <translation>liest das Bild</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Watcher</name>
+    <message>
+        <source>reading the terrain</source>
+        <translation>liest das Gelände</translation>
+    </message>
+    <message>
+        <source>resampling the terrain</source>
+        <translation>passt das Gelände an</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::WeightCalendar</name>
     <message>
         <source>Weights by month and hour</source>
@@ -11301,10 +11956,6 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>Comparing results with the buildings</source>
         <translation>Ergebnisse werden mit den Gebäuden verglichen</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>%1 is saved with the project: the list above the results shows it again</source>
@@ -11696,6 +12347,58 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>Leaf cycle</source>
         <translation>Belaubung</translation>
+    </message>
+    <message>
+        <source>%1, carriageway</source>
+        <translation>%1, Fahrbahn</translation>
+    </message>
+    <message>
+        <source>%1, sidewalks</source>
+        <translation>%1, Gehwege</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation>%1, %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1, at %2</source>
+        <translation>%1, an %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1, east of %2</source>
+        <translation>%1, östlich von %2</translation>
+    </message>
+    <message>
+        <source>%1, north-east of %2</source>
+        <translation>%1, nordöstlich von %2</translation>
+    </message>
+    <message>
+        <source>%1, north of %2</source>
+        <translation>%1, nördlich von %2</translation>
+    </message>
+    <message>
+        <source>%1, north-west of %2</source>
+        <translation>%1, nordwestlich von %2</translation>
+    </message>
+    <message>
+        <source>%1, west of %2</source>
+        <translation>%1, westlich von %2</translation>
+    </message>
+    <message>
+        <source>%1, south-west of %2</source>
+        <translation>%1, südwestlich von %2</translation>
+    </message>
+    <message>
+        <source>%1, south of %2</source>
+        <translation>%1, südlich von %2</translation>
+    </message>
+    <message>
+        <source>%1, south-east of %2</source>
+        <translation>%1, südöstlich von %2</translation>
     </message>
 </context>
 </TS>

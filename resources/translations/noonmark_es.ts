@@ -1930,10 +1930,6 @@ Todos los lados %2, área %3</translation>
         <translation>%1 &gt; %2 min: %3</translation>
     </message>
     <message>
-        <source>Points of %1</source>
-        <translation>Puntos de %1</translation>
-    </message>
-    <message>
         <source>Saved result %1</source>
         <translation>Resultado guardado %1</translation>
     </message>
@@ -1944,14 +1940,6 @@ Todos los lados %2, área %3</translation>
     <message>
         <source>Interval of the table: its weight, and its contribution to the score</source>
         <translation>Intervalo de la tabla: su peso y su contribución a la puntuación</translation>
-    </message>
-    <message>
-        <source>Score of %1 with %2</source>
-        <translation>Puntuación de %1 con %2</translation>
-    </message>
-    <message>
-        <source>Study of %1</source>
-        <translation>Estudio de %1</translation>
     </message>
     <message>
         <source>Save table</source>
@@ -2094,14 +2082,6 @@ El estudio: %2</translation>
     <message>
         <source>Contributions</source>
         <translation>Contribuciones</translation>
-    </message>
-    <message>
-        <source>Sun by place in %1</source>
-        <translation>Sol por lugar en %1</translation>
-    </message>
-    <message>
-        <source>Sun by place in %1 compared with %2</source>
-        <translation>Sol por lugar en %1 comparado con %2</translation>
     </message>
     <message>
         <source>%1 h of sun a day</source>
@@ -2496,6 +2476,323 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>New shadow a day, by cells of %1: %2</source>
         <translation>Sombra nueva al día, por celdas de %1: %2</translation>
+    </message>
+    <message>
+        <source>Existing</source>
+        <translation>Existente</translation>
+    </message>
+    <message>
+        <source>every %1 min</source>
+        <translation>cada %1 min</translation>
+    </message>
+    <message>
+        <source>no refraction</source>
+        <translation>sin refracción</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>Aceptar</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Sí</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;No</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Restablecer</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Reintentar</translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation>Abortar</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Ignorar</translation>
+    </message>
+</context>
+<context>
+    <name>QUndoStack</name>
+    <message>
+        <source>Undo %1</source>
+        <translation>Deshacer: %1</translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation>Rehacer: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+</context>
+<context>
+    <name>Rule</name>
+    <message>
+        <source>Boston, Article 80 diagrams</source>
+        <translation>Boston, diagramas del Article 80</translation>
+    </message>
+    <message>
+        <source>Boston</source>
+        <translation>Boston</translation>
+    </message>
+    <message>
+        <source>Boston, Common and Garden</source>
+        <translation>Boston, Common y Garden</translation>
+    </message>
+    <message>
+        <source>Boston, Midtown</source>
+        <translation>Boston, Midtown</translation>
+    </message>
+    <message>
+        <source>BRE 209 (2022), amenity space</source>
+        <translation>BRE 209 (2022), espacios libres</translation>
+    </message>
+    <message>
+        <source>London</source>
+        <translation>Londres</translation>
+    </message>
+    <message>
+        <source>BRE 209 (2022), windows</source>
+        <translation>BRE 209 (2022), ventanas</translation>
+    </message>
+    <message>
+        <source>New York, CEQR chapter 8</source>
+        <translation>Nueva York, CEQR capítulo 8</translation>
+    </message>
+    <message>
+        <source>New York</source>
+        <translation>Nueva York</translation>
+    </message>
+    <message>
+        <source>China, GB 50180, sunlight of homes</source>
+        <translation>China, GB 50180, sol en viviendas</translation>
+    </message>
+    <message>
+        <source>China</source>
+        <translation>China</translation>
+    </message>
+    <message>
+        <source>EN 17037, exposure to sunlight</source>
+        <translation>EN 17037, exposición al sol</translation>
+    </message>
+    <message>
+        <source>Europe</source>
+        <translation>Europa</translation>
+    </message>
+    <message>
+        <source>Estonia, insolation of homes</source>
+        <translation>Estonia, soleamiento de viviendas</translation>
+    </message>
+    <message>
+        <source>Estonia</source>
+        <translation>Estonia</translation>
+    </message>
+    <message>
+        <source>Four days, three hours</source>
+        <translation>Cuatro días, tres horas</translation>
+    </message>
+    <message>
+        <source>Philadelphia, Seattle and others</source>
+        <translation>Filadelfia, Seattle y otras</translation>
+    </message>
+    <message>
+        <source>Japan, Building Standards Act, table 4</source>
+        <translation>Japón, Ley de Normas de Construcción, tabla 4</translation>
+    </message>
+    <message>
+        <source>Japan</source>
+        <translation>Japón</translation>
+    </message>
+    <message>
+        <source>Korea, right to sunlight</source>
+        <translation>Corea, derecho al sol</translation>
+    </message>
+    <message>
+        <source>Korea</source>
+        <translation>Corea</translation>
+    </message>
+    <message>
+        <source>Melbourne, amendment C278</source>
+        <translation>Melbourne, enmienda C278</translation>
+    </message>
+    <message>
+        <source>Melbourne</source>
+        <translation>Melbourne</translation>
+    </message>
+    <message>
+        <source>Montreal, parks</source>
+        <translation>Montreal, parques</translation>
+    </message>
+    <message>
+        <source>Montreal</source>
+        <translation>Montreal</translation>
+    </message>
+    <message>
+        <source>Montreal, east-west streets</source>
+        <translation>Montreal, calles este-oeste</translation>
+    </message>
+    <message>
+        <source>New South Wales, Apartment Design Guide</source>
+        <translation>Nueva Gales del Sur, Apartment Design Guide</translation>
+    </message>
+    <message>
+        <source>New South Wales</source>
+        <translation>Nueva Gales del Sur</translation>
+    </message>
+    <message>
+        <source>A rule of your own</source>
+        <translation>Una regla propia</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>En cualquier lugar</translation>
+    </message>
+    <message>
+        <source>Poland, sunlight in rooms</source>
+        <translation>Polonia, sol en las habitaciones</translation>
+    </message>
+    <message>
+        <source>Poland</source>
+        <translation>Polonia</translation>
+    </message>
+    <message>
+        <source>Russia (central zone), share of territory</source>
+        <translation>Rusia (zona central), parte del terreno</translation>
+    </message>
+    <message>
+        <source>Russia</source>
+        <translation>Rusia</translation>
+    </message>
+    <message>
+        <source>Russia (central zone), insolation of rooms</source>
+        <translation>Rusia (zona central), soleamiento de habitaciones</translation>
+    </message>
+    <message>
+        <source>San Francisco, Section 295 (Proposition K)</source>
+        <translation>San Francisco, Section 295 (Proposition K)</translation>
+    </message>
+    <message>
+        <source>San Francisco</source>
+        <translation>San Francisco</translation>
+    </message>
+    <message>
+        <source>The Hague, sunlight on facades</source>
+        <translation>La Haya, sol en las fachadas</translation>
+    </message>
+    <message>
+        <source>The Hague</source>
+        <translation>La Haya</translation>
+    </message>
+    <message>
+        <source>Netherlands, TNO light</source>
+        <translation>Países Bajos, TNO leve</translation>
+    </message>
+    <message>
+        <source>Netherlands</source>
+        <translation>Países Bajos</translation>
+    </message>
+    <message>
+        <source>Netherlands, TNO strict</source>
+        <translation>Países Bajos, TNO estricta</translation>
+    </message>
+    <message>
+        <source>Toronto, shadow study</source>
+        <translation>Toronto, estudio de sombras</translation>
+    </message>
+    <message>
+        <source>Toronto</source>
+        <translation>Toronto</translation>
+    </message>
+    <message>
+        <source>Vancouver, parks and schoolyards</source>
+        <translation>Vancouver, parques y patios escolares</translation>
+    </message>
+    <message>
+        <source>Vancouver</source>
+        <translation>Vancouver</translation>
+    </message>
+    <message>
+        <source>Zurich, shadow of tall buildings</source>
+        <translation>Zúrich, sombra de edificios altos</translation>
+    </message>
+    <message>
+        <source>Zurich</source>
+        <translation>Zúrich</translation>
+    </message>
+    <message>
+        <source>United States</source>
+        <translation>Estados Unidos</translation>
+    </message>
+    <message>
+        <source>Britain (UK)</source>
+        <translation>Reino Unido</translation>
+    </message>
+    <message>
+        <source>Korea (South)</source>
+        <translation>Corea del Sur</translation>
+    </message>
+    <message>
+        <source>Switzerland</source>
+        <translation>Suiza</translation>
+    </message>
+    <message>
+        <source>Any country</source>
+        <translation>Cualquier país</translation>
+    </message>
+    <message>
+        <source>Canada</source>
+        <translation>Canadá</translation>
+    </message>
+    <message>
+        <source>Australia</source>
+        <translation>Australia</translation>
     </message>
 </context>
 <context>
@@ -5078,6 +5375,222 @@ Abre el panel Evaluación.</translation>
         <source>Change of the shadow score by month, m²</source>
         <translation>Cambio de la puntuación de sombra por mes, m²</translation>
     </message>
+    <message>
+        <source>duplicates</source>
+        <translation>duplicados</translation>
+    </message>
+    <message>
+        <source>Sun by place in %1</source>
+        <translation>Sol por lugar en %1</translation>
+    </message>
+    <message>
+        <source>Sun by place in %1 compared with %2</source>
+        <translation>Sol por lugar en %1 comparado con %2</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2</source>
+        <translation>%1 comparado con %2</translation>
+    </message>
+    <message>
+        <source>Score of %1 with %2</source>
+        <translation>Puntuación de %1 con %2</translation>
+    </message>
+    <message>
+        <source>Study of %1</source>
+        <translation>Estudio de %1</translation>
+    </message>
+    <message>
+        <source>Points of %1</source>
+        <translation>Puntos de %1</translation>
+    </message>
+    <message>
+        <source>drawing diagrams</source>
+        <translation>dibujando diagramas</translation>
+    </message>
+    <message>
+        <source>drawing shadow fans</source>
+        <translation>dibujando abanicos de sombra</translation>
+    </message>
+    <message>
+        <source>drawing lines of equal hours</source>
+        <translation>dibujando líneas de iguales horas</translation>
+    </message>
+    <message>
+        <source>drawing views from the sun</source>
+        <translation>dibujando vistas desde el sol</translation>
+    </message>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>barriendo horizontes</translation>
+    </message>
+    <message>
+        <source>sweeping horizons of points</source>
+        <translation>barriendo horizontes de los puntos</translation>
+    </message>
+    <message>
+        <source>tracing rays from points</source>
+        <translation>trazando rayos desde los puntos</translation>
+    </message>
+    <message>
+        <source>finding buildings in reach of the places</source>
+        <translation>buscando edificios al alcance de los lugares</translation>
+    </message>
+    <message>
+        <source>filling shadows</source>
+        <translation>rellenando sombras</translation>
+    </message>
+    <message>
+        <source>building the ray scene</source>
+        <translation>preparando los rayos</translation>
+    </message>
+    <message>
+        <source>tracing rays</source>
+        <translation>trazando rayos</translation>
+    </message>
+    <message>
+        <source>tracing rays through single trees</source>
+        <translation>trazando rayos por árboles sueltos</translation>
+    </message>
+    <message>
+        <source>unpacking the archive</source>
+        <translation>descomprimiendo el archivo</translation>
+    </message>
+    <message>
+        <source>making the buildings</source>
+        <translation>creando los edificios</translation>
+    </message>
+    <message>
+        <source>reading the features</source>
+        <translation>leyendo los objetos</translation>
+    </message>
+    <message>
+        <source>reading the city</source>
+        <translation>leyendo la ciudad</translation>
+    </message>
+    <message>
+        <source>reading the map</source>
+        <translation>leyendo el mapa</translation>
+    </message>
+    <message>
+        <source>reading windows</source>
+        <translation>leyendo ventanas</translation>
+    </message>
+    <message>
+        <source>repairing outlines</source>
+        <translation>reparando contornos</translation>
+    </message>
+    <message>
+        <source>making buildings</source>
+        <translation>creando edificios</translation>
+    </message>
+    <message>
+        <source>they stand where the file states</source>
+        <translation>están donde indica el archivo</translation>
+    </message>
+    <message>
+        <source>all were shifted onto it</source>
+        <translation>todos se desplazaron sobre él</translation>
+    </message>
+    <message>
+        <source>each building was set down on it</source>
+        <translation>cada edificio se asentó sobre él</translation>
+    </message>
+    <message>
+        <source>bases of %1 lie %2 m below the terrain (median of %3, spread %4 m)</source>
+        <translation>las bases de %1 están %2 m bajo el terreno (mediana de %3, dispersión %4 m)</translation>
+    </message>
+    <message>
+        <source>bases of %1 lie %2 m above the terrain (median of %3, spread %4 m)</source>
+        <translation>las bases de %1 están %2 m sobre el terreno (mediana de %3, dispersión %4 m)</translation>
+    </message>
+    <message>
+        <source>%1 far from that gap were set down by themselves</source>
+        <translation>%1 con otra diferencia se asentaron por separado</translation>
+    </message>
+    <message>
+        <source>%1 stay above the ground</source>
+        <translation>%1 quedan sobre el suelo</translation>
+    </message>
+    <message>
+        <source>finding the buildings</source>
+        <translation>buscando los edificios</translation>
+    </message>
+    <message>
+        <source>reading the mesh</source>
+        <translation>leyendo la malla</translation>
+    </message>
+    <message>
+        <source>making buildings of the surface model</source>
+        <translation>creando edificios del modelo de superficie</translation>
+    </message>
+    <message>
+        <source>reading canopy</source>
+        <translation>leyendo el dosel</translation>
+    </message>
+    <message>
+        <source>reading trees</source>
+        <translation>leyendo árboles</translation>
+    </message>
+    <message>
+        <source>joining shadows</source>
+        <translation>uniendo sombras</translation>
+    </message>
+    <message>
+        <source>evaluating windows</source>
+        <translation>evaluando ventanas</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are assumed (%3 m)</source>
+        <translation>%1 de %2 alturas son supuestas (%3 m)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are assumed (most of them %3 m)</source>
+        <translation>%1 de %2 alturas son supuestas (la mayoría, %3 m)</translation>
+    </message>
+    <message>
+        <source>Fields that could hold heights or storeys: %1</source>
+        <translation>Campos que podrían contener alturas o plantas: %1</translation>
+    </message>
+    <message>
+        <source>In doubt: %1</source>
+        <translation>Dudoso: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 km from %3, %4</source>
+        <translation>%1, a %2 km de %3, %4</translation>
+    </message>
+    <message>
+        <source>no buildings</source>
+        <translation>sin edificios</translation>
+    </message>
+    <message>
+        <source>buildings: %1, parts: %2, up to %3 m high</source>
+        <translation>edificios: %1, partes: %2, hasta %3 m de altura</translation>
+    </message>
+    <message>
+        <source>on a terrain</source>
+        <translation>sobre un terreno</translation>
+    </message>
+    <message>
+        <source>on flat ground</source>
+        <translation>sobre suelo plano</translation>
+    </message>
+    <message>
+        <source>summing up places</source>
+        <translation>resumiendo lugares</translation>
+    </message>
+    <message>
+        <source>joining the timelines</source>
+        <translation>uniendo las cronologías</translation>
+    </message>
+    <message>
+        <source>surveying the buildings</source>
+        <translation>midiendo los edificios</translation>
+    </message>
+    <message>
+        <source>writing the map</source>
+        <translation>escribiendo el mapa</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5171,6 +5684,13 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::Breakdown</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>barriendo horizontes</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::BreakdownForm</name>
     <message>
         <source>Each month by itself</source>
@@ -5206,6 +5726,13 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::BuildingAdder</name>
+    <message>
+        <source>finding the buildings</source>
+        <translation>buscando los edificios</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::BuildingEditing</name>
     <message>
         <source>%1, %2
@@ -5219,6 +5746,13 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
             <numerusform>derribar %1 edificio</numerusform>
             <numerusform>derribar %1 edificios</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CachedTile</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>barriendo horizontes</translation>
     </message>
 </context>
 <context>
@@ -5504,6 +6038,13 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Command</source>
         <translation>Comando</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CrownTracer</name>
+    <message>
+        <source>tracing rays through trees</source>
+        <translation>trazando rayos por los árboles</translation>
     </message>
 </context>
 <context>
@@ -6155,6 +6696,17 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::Filming</name>
+    <message>
+        <source>computing the frames of the movie</source>
+        <translation>calculando los fotogramas</translation>
+    </message>
+    <message>
+        <source>writing the movie</source>
+        <translation>escribiendo la película</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::FurtherTable</name>
     <message>
         <source>Add tower</source>
@@ -6393,6 +6945,13 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     </message>
 </context>
 <context>
+    <name>noonmark::HorizonCache</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>barriendo horizontes</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::HoursOf</name>
     <message>
         <source>Hours of sun a day by month</source>
@@ -6613,6 +7172,13 @@ La sombra continua no cambia: de ella no se deduce el tramo más largo al sol.</
     </message>
 </context>
 <context>
+    <name>noonmark::LevelOutliner</name>
+    <message>
+        <source>projecting shadows</source>
+        <translation>proyectando sombras</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::LineForm</name>
     <message>
         <source>Parcel</source>
@@ -6789,6 +7355,13 @@ Aproximado: la leyenda indica el error medido. Deshacer recupera el método ante
     <message>
         <source>Painting the map</source>
         <translation>Dibujando el mapa</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MaskRun</name>
+    <message>
+        <source>filling shadows of places</source>
+        <translation>rellenando sombras de los lugares</translation>
     </message>
 </context>
 <context>
@@ -7284,6 +7857,14 @@ El más bajo %3, mediana %4, el más alto %5.</numerusform>
         <source>Add terrain</source>
         <translation>Añadir terreno</translation>
     </message>
+    <message>
+        <source>Changed in reading: %1</source>
+        <translation>Cambiado al leer: %1</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nada</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::OtherScenario</name>
@@ -7325,6 +7906,13 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>Wall-clock time at which each day&apos;s hours begin, hours:minutes</source>
         <translation>Hora de reloj a la que empiezan las horas de cada día, horas:minutos</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PeriodSweep</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>barriendo horizontes</translation>
     </message>
 </context>
 <context>
@@ -7521,6 +8109,17 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>A terrain, an aerial photograph, trees, or parks and other places; what the city has stays</source>
         <translation>Un terreno, una fotografía aérea, árboles, o parques y otros lugares; lo que la ciudad tiene se conserva</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceFile</name>
+    <message>
+        <source>reading places</source>
+        <translation>leyendo lugares</translation>
+    </message>
+    <message>
+        <source>repairing outlines</source>
+        <translation>reparando contornos</translation>
     </message>
 </context>
 <context>
@@ -8188,6 +8787,13 @@ Con árboles: %1</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::PointShading</name>
+    <message>
+        <source>weighing crowns at points</source>
+        <translation>ponderando copas en los puntos</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::PolygonDrawing</name>
     <message>
         <source>region</source>
@@ -8702,10 +9308,6 @@ No: en el origen de la ciudad de los demás archivos.</translation>
         <source>&amp;Export (%1)...</source>
         <translation>&amp;Exportar (%1)...</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
     <message numerus="yes">
         <source>All %1 scenario(s) measured</source>
         <translation>
@@ -9069,6 +9671,13 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>Estimating</source>
         <translation>Estimando</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SampleProgress</name>
+    <message>
+        <source>measuring the error on a sample</source>
+        <translation>midiendo el error en una muestra</translation>
     </message>
 </context>
 <context>
@@ -9828,6 +10437,20 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     </message>
 </context>
 <context>
+    <name>noonmark::ShadowCache::State</name>
+    <message>
+        <source>filling shadows</source>
+        <translation>rellenando sombras</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ShadowProjection</name>
+    <message>
+        <source>filling shadows</source>
+        <translation>rellenando sombras</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::SheetForm</name>
     <message>
         <source>Page</source>
@@ -10159,6 +10782,13 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     </message>
 </context>
 <context>
+    <name>noonmark::SurfaceTracer</name>
+    <message>
+        <source>tracing rays</source>
+        <translation>trazando rayos</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::TargetRow</name>
     <message>
         <source>Floor area</source>
@@ -10462,6 +11092,13 @@ del año, otras tantas semanas</translation>
     <message>
         <source>Build %1</source>
         <translation>Construir %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Tracer</name>
+    <message>
+        <source>tracing rays</source>
+        <translation>trazando rayos</translation>
     </message>
 </context>
 <context>
@@ -10957,6 +11594,24 @@ del año, otras tantas semanas</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::Watch</name>
+    <message>
+        <source>reading the picture</source>
+        <translation>leyendo la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Watcher</name>
+    <message>
+        <source>reading the terrain</source>
+        <translation>leyendo el terreno</translation>
+    </message>
+    <message>
+        <source>resampling the terrain</source>
+        <translation>remuestreando el terreno</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::WeightCalendar</name>
     <message>
         <source>Weights by month and hour</source>
@@ -11301,10 +11956,6 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>Comparing results with the buildings</source>
         <translation>Comparando los resultados con los edificios</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>%1 is saved with the project: the list above the results shows it again</source>
@@ -11696,6 +12347,58 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>Leaf cycle</source>
         <translation>Ciclo foliar</translation>
+    </message>
+    <message>
+        <source>%1, carriageway</source>
+        <translation>%1, calzada</translation>
+    </message>
+    <message>
+        <source>%1, sidewalks</source>
+        <translation>%1, aceras</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation>%1, de %2 a %3</translation>
+    </message>
+    <message>
+        <source>%1, at %2</source>
+        <translation>%1, junto a %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 y %2 más</translation>
+    </message>
+    <message>
+        <source>%1, east of %2</source>
+        <translation>%1, al este de %2</translation>
+    </message>
+    <message>
+        <source>%1, north-east of %2</source>
+        <translation>%1, al noreste de %2</translation>
+    </message>
+    <message>
+        <source>%1, north of %2</source>
+        <translation>%1, al norte de %2</translation>
+    </message>
+    <message>
+        <source>%1, north-west of %2</source>
+        <translation>%1, al noroeste de %2</translation>
+    </message>
+    <message>
+        <source>%1, west of %2</source>
+        <translation>%1, al oeste de %2</translation>
+    </message>
+    <message>
+        <source>%1, south-west of %2</source>
+        <translation>%1, al suroeste de %2</translation>
+    </message>
+    <message>
+        <source>%1, south of %2</source>
+        <translation>%1, al sur de %2</translation>
+    </message>
+    <message>
+        <source>%1, south-east of %2</source>
+        <translation>%1, al sureste de %2</translation>
     </message>
 </context>
 </TS>

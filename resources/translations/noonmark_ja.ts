@@ -1908,10 +1908,6 @@ All sides %2, area %3</source>
         <translation>%1 &gt; %2 分：%3</translation>
     </message>
     <message>
-        <source>Points of %1</source>
-        <translation>%1の点</translation>
-    </message>
-    <message>
         <source>Saved result %1</source>
         <translation>保存した結果 %1</translation>
     </message>
@@ -1922,14 +1918,6 @@ All sides %2, area %3</source>
     <message>
         <source>Interval of the table: its weight, and its contribution to the score</source>
         <translation>表の区間：重みとスコアへの寄与</translation>
-    </message>
-    <message>
-        <source>Score of %1 with %2</source>
-        <translation>%1 のスコア (%2)</translation>
-    </message>
-    <message>
-        <source>Study of %1</source>
-        <translation>%1 の検討</translation>
     </message>
     <message>
         <source>Save table</source>
@@ -2070,14 +2058,6 @@ The study: %2</source>
     <message>
         <source>Contributions</source>
         <translation>寄与</translation>
-    </message>
-    <message>
-        <source>Sun by place in %1</source>
-        <translation>%1 の場所別の日照</translation>
-    </message>
-    <message>
-        <source>Sun by place in %1 compared with %2</source>
-        <translation>%1 と %2 の場所別の日照の比較</translation>
     </message>
     <message>
         <source>%1 h of sun a day</source>
@@ -2466,6 +2446,323 @@ Opens the panel Review.</source>
     <message>
         <source>New shadow a day, by cells of %1: %2</source>
         <translation>1 日の新しい日陰(セル %1): %2</translation>
+    </message>
+    <message>
+        <source>Existing</source>
+        <translation>現況</translation>
+    </message>
+    <message>
+        <source>every %1 min</source>
+        <translation>%1分ごと</translation>
+    </message>
+    <message>
+        <source>no refraction</source>
+        <translation>大気差なし</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>開く</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>はい(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>いいえ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>破棄</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>適用</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>リセット</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>ヘルプ</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>再試行</translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation>中止</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>無視</translation>
+    </message>
+</context>
+<context>
+    <name>QUndoStack</name>
+    <message>
+        <source>Undo %1</source>
+        <translation>元に戻す: %1</translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation>やり直し: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直し</translation>
+    </message>
+</context>
+<context>
+    <name>Rule</name>
+    <message>
+        <source>Boston, Article 80 diagrams</source>
+        <translation>ボストン、Article 80の図</translation>
+    </message>
+    <message>
+        <source>Boston</source>
+        <translation>ボストン</translation>
+    </message>
+    <message>
+        <source>Boston, Common and Garden</source>
+        <translation>ボストン、コモンとガーデン</translation>
+    </message>
+    <message>
+        <source>Boston, Midtown</source>
+        <translation>ボストン、ミッドタウン</translation>
+    </message>
+    <message>
+        <source>BRE 209 (2022), amenity space</source>
+        <translation>BRE 209 (2022)、屋外空間</translation>
+    </message>
+    <message>
+        <source>London</source>
+        <translation>ロンドン</translation>
+    </message>
+    <message>
+        <source>BRE 209 (2022), windows</source>
+        <translation>BRE 209 (2022)、窓</translation>
+    </message>
+    <message>
+        <source>New York, CEQR chapter 8</source>
+        <translation>ニューヨーク、CEQR第8章</translation>
+    </message>
+    <message>
+        <source>New York</source>
+        <translation>ニューヨーク</translation>
+    </message>
+    <message>
+        <source>China, GB 50180, sunlight of homes</source>
+        <translation>中国、GB 50180、住宅の日照</translation>
+    </message>
+    <message>
+        <source>China</source>
+        <translation>中国</translation>
+    </message>
+    <message>
+        <source>EN 17037, exposure to sunlight</source>
+        <translation>EN 17037、日照</translation>
+    </message>
+    <message>
+        <source>Europe</source>
+        <translation>ヨーロッパ</translation>
+    </message>
+    <message>
+        <source>Estonia, insolation of homes</source>
+        <translation>エストニア、住宅の日照</translation>
+    </message>
+    <message>
+        <source>Estonia</source>
+        <translation>エストニア</translation>
+    </message>
+    <message>
+        <source>Four days, three hours</source>
+        <translation>4日、3時刻</translation>
+    </message>
+    <message>
+        <source>Philadelphia, Seattle and others</source>
+        <translation>フィラデルフィア、シアトルなど</translation>
+    </message>
+    <message>
+        <source>Japan, Building Standards Act, table 4</source>
+        <translation>日本、建築基準法別表第四</translation>
+    </message>
+    <message>
+        <source>Japan</source>
+        <translation>日本</translation>
+    </message>
+    <message>
+        <source>Korea, right to sunlight</source>
+        <translation>韓国、日照権</translation>
+    </message>
+    <message>
+        <source>Korea</source>
+        <translation>韓国</translation>
+    </message>
+    <message>
+        <source>Melbourne, amendment C278</source>
+        <translation>メルボルン、改正C278</translation>
+    </message>
+    <message>
+        <source>Melbourne</source>
+        <translation>メルボルン</translation>
+    </message>
+    <message>
+        <source>Montreal, parks</source>
+        <translation>モントリオール、公園</translation>
+    </message>
+    <message>
+        <source>Montreal</source>
+        <translation>モントリオール</translation>
+    </message>
+    <message>
+        <source>Montreal, east-west streets</source>
+        <translation>モントリオール、東西の通り</translation>
+    </message>
+    <message>
+        <source>New South Wales, Apartment Design Guide</source>
+        <translation>ニューサウスウェールズ、Apartment Design Guide</translation>
+    </message>
+    <message>
+        <source>New South Wales</source>
+        <translation>ニューサウスウェールズ</translation>
+    </message>
+    <message>
+        <source>A rule of your own</source>
+        <translation>独自の規則</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>すべての場所</translation>
+    </message>
+    <message>
+        <source>Poland, sunlight in rooms</source>
+        <translation>ポーランド、居室の日照</translation>
+    </message>
+    <message>
+        <source>Poland</source>
+        <translation>ポーランド</translation>
+    </message>
+    <message>
+        <source>Russia (central zone), share of territory</source>
+        <translation>ロシア（中部）、敷地の割合</translation>
+    </message>
+    <message>
+        <source>Russia</source>
+        <translation>ロシア</translation>
+    </message>
+    <message>
+        <source>Russia (central zone), insolation of rooms</source>
+        <translation>ロシア（中部）、居室の日照</translation>
+    </message>
+    <message>
+        <source>San Francisco, Section 295 (Proposition K)</source>
+        <translation>サンフランシスコ、Section 295 (Proposition K)</translation>
+    </message>
+    <message>
+        <source>San Francisco</source>
+        <translation>サンフランシスコ</translation>
+    </message>
+    <message>
+        <source>The Hague, sunlight on facades</source>
+        <translation>ハーグ、ファサードの日照</translation>
+    </message>
+    <message>
+        <source>The Hague</source>
+        <translation>ハーグ</translation>
+    </message>
+    <message>
+        <source>Netherlands, TNO light</source>
+        <translation>オランダ、TNO light</translation>
+    </message>
+    <message>
+        <source>Netherlands</source>
+        <translation>オランダ</translation>
+    </message>
+    <message>
+        <source>Netherlands, TNO strict</source>
+        <translation>オランダ、TNO strict</translation>
+    </message>
+    <message>
+        <source>Toronto, shadow study</source>
+        <translation>トロント、日影検討</translation>
+    </message>
+    <message>
+        <source>Toronto</source>
+        <translation>トロント</translation>
+    </message>
+    <message>
+        <source>Vancouver, parks and schoolyards</source>
+        <translation>バンクーバー、公園と校庭</translation>
+    </message>
+    <message>
+        <source>Vancouver</source>
+        <translation>バンクーバー</translation>
+    </message>
+    <message>
+        <source>Zurich, shadow of tall buildings</source>
+        <translation>チューリッヒ、高層建物の影</translation>
+    </message>
+    <message>
+        <source>Zurich</source>
+        <translation>チューリッヒ</translation>
+    </message>
+    <message>
+        <source>United States</source>
+        <translation>アメリカ合衆国</translation>
+    </message>
+    <message>
+        <source>Britain (UK)</source>
+        <translation>イギリス</translation>
+    </message>
+    <message>
+        <source>Korea (South)</source>
+        <translation>韓国</translation>
+    </message>
+    <message>
+        <source>Switzerland</source>
+        <translation>スイス</translation>
+    </message>
+    <message>
+        <source>Any country</source>
+        <translation>すべての国</translation>
+    </message>
+    <message>
+        <source>Canada</source>
+        <translation>カナダ</translation>
+    </message>
+    <message>
+        <source>Australia</source>
+        <translation>オーストラリア</translation>
     </message>
 </context>
 <context>
@@ -5048,6 +5345,222 @@ Opens the panel Review.</source>
         <source>Change of the shadow score by month, m²</source>
         <translation>月別の日陰スコアの変化、m²</translation>
     </message>
+    <message>
+        <source>duplicates</source>
+        <translation>重複</translation>
+    </message>
+    <message>
+        <source>Sun by place in %1</source>
+        <translation>%1 の場所別の日照</translation>
+    </message>
+    <message>
+        <source>Sun by place in %1 compared with %2</source>
+        <translation>%1 と %2 の場所別の日照の比較</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2</source>
+        <translation>%1 と %2 の比較</translation>
+    </message>
+    <message>
+        <source>Score of %1 with %2</source>
+        <translation>%1 のスコア (%2)</translation>
+    </message>
+    <message>
+        <source>Study of %1</source>
+        <translation>%1 の検討</translation>
+    </message>
+    <message>
+        <source>Points of %1</source>
+        <translation>%1の点</translation>
+    </message>
+    <message>
+        <source>drawing diagrams</source>
+        <translation>図を描いています</translation>
+    </message>
+    <message>
+        <source>drawing shadow fans</source>
+        <translation>影の扇を描いています</translation>
+    </message>
+    <message>
+        <source>drawing lines of equal hours</source>
+        <translation>等時間線を描いています</translation>
+    </message>
+    <message>
+        <source>drawing views from the sun</source>
+        <translation>太陽からの眺めを描いています</translation>
+    </message>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>地平線を走査しています</translation>
+    </message>
+    <message>
+        <source>sweeping horizons of points</source>
+        <translation>点の地平線を走査しています</translation>
+    </message>
+    <message>
+        <source>tracing rays from points</source>
+        <translation>点から光線を追跡しています</translation>
+    </message>
+    <message>
+        <source>finding buildings in reach of the places</source>
+        <translation>場所に届く建物を探しています</translation>
+    </message>
+    <message>
+        <source>filling shadows</source>
+        <translation>影を塗っています</translation>
+    </message>
+    <message>
+        <source>building the ray scene</source>
+        <translation>光線の準備をしています</translation>
+    </message>
+    <message>
+        <source>tracing rays</source>
+        <translation>光線を追跡しています</translation>
+    </message>
+    <message>
+        <source>tracing rays through single trees</source>
+        <translation>単木を通る光線を追跡しています</translation>
+    </message>
+    <message>
+        <source>unpacking the archive</source>
+        <translation>アーカイブを展開しています</translation>
+    </message>
+    <message>
+        <source>making the buildings</source>
+        <translation>建物を作成しています</translation>
+    </message>
+    <message>
+        <source>reading the features</source>
+        <translation>地物を読み込んでいます</translation>
+    </message>
+    <message>
+        <source>reading the city</source>
+        <translation>都市を読み込んでいます</translation>
+    </message>
+    <message>
+        <source>reading the map</source>
+        <translation>地図を読み込んでいます</translation>
+    </message>
+    <message>
+        <source>reading windows</source>
+        <translation>窓を読み込んでいます</translation>
+    </message>
+    <message>
+        <source>repairing outlines</source>
+        <translation>輪郭を修復しています</translation>
+    </message>
+    <message>
+        <source>making buildings</source>
+        <translation>建物を作成しています</translation>
+    </message>
+    <message>
+        <source>they stand where the file states</source>
+        <translation>ファイルに記載の位置にあります</translation>
+    </message>
+    <message>
+        <source>all were shifted onto it</source>
+        <translation>すべて地形上に移動しました</translation>
+    </message>
+    <message>
+        <source>each building was set down on it</source>
+        <translation>各建物を地形上に置きました</translation>
+    </message>
+    <message>
+        <source>bases of %1 lie %2 m below the terrain (median of %3, spread %4 m)</source>
+        <translation>%1の基部は地形より%2 m低い（%3棟の中央値、ばらつき%4 m）</translation>
+    </message>
+    <message>
+        <source>bases of %1 lie %2 m above the terrain (median of %3, spread %4 m)</source>
+        <translation>%1の基部は地形より%2 m高い（%3棟の中央値、ばらつき%4 m）</translation>
+    </message>
+    <message>
+        <source>%1 far from that gap were set down by themselves</source>
+        <translation>差が大きく異なる%1棟は個別に置きました</translation>
+    </message>
+    <message>
+        <source>%1 stay above the ground</source>
+        <translation>%1棟は地面より上に残ります</translation>
+    </message>
+    <message>
+        <source>finding the buildings</source>
+        <translation>建物を探しています</translation>
+    </message>
+    <message>
+        <source>reading the mesh</source>
+        <translation>メッシュを読み込んでいます</translation>
+    </message>
+    <message>
+        <source>making buildings of the surface model</source>
+        <translation>地表モデルから建物を作成しています</translation>
+    </message>
+    <message>
+        <source>reading canopy</source>
+        <translation>樹冠を読み込んでいます</translation>
+    </message>
+    <message>
+        <source>reading trees</source>
+        <translation>樹木を読み込んでいます</translation>
+    </message>
+    <message>
+        <source>joining shadows</source>
+        <translation>影を結合しています</translation>
+    </message>
+    <message>
+        <source>evaluating windows</source>
+        <translation>窓を評価しています</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are assumed (%3 m)</source>
+        <translation>%1 / %2 の高さは仮定です（%3 m）</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are assumed (most of them %3 m)</source>
+        <translation>%1 / %2 の高さは仮定です（多くは%3 m）</translation>
+    </message>
+    <message>
+        <source>Fields that could hold heights or storeys: %1</source>
+        <translation>高さまたは階数かもしれない項目: %1</translation>
+    </message>
+    <message>
+        <source>In doubt: %1</source>
+        <translation>不確か: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 km from %3, %4</source>
+        <translation>%1、%3 (%4) から%2 km</translation>
+    </message>
+    <message>
+        <source>no buildings</source>
+        <translation>建物なし</translation>
+    </message>
+    <message>
+        <source>buildings: %1, parts: %2, up to %3 m high</source>
+        <translation>建物: %1、部分: %2、高さ最大%3 m</translation>
+    </message>
+    <message>
+        <source>on a terrain</source>
+        <translation>地形の上</translation>
+    </message>
+    <message>
+        <source>on flat ground</source>
+        <translation>平らな地面の上</translation>
+    </message>
+    <message>
+        <source>summing up places</source>
+        <translation>場所を集計しています</translation>
+    </message>
+    <message>
+        <source>joining the timelines</source>
+        <translation>時系列を結合しています</translation>
+    </message>
+    <message>
+        <source>surveying the buildings</source>
+        <translation>建物を計測しています</translation>
+    </message>
+    <message>
+        <source>writing the map</source>
+        <translation>地図を書き出しています</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5141,6 +5654,13 @@ as published. Approximate: the legend states the measured error</source>
     </message>
 </context>
 <context>
+    <name>noonmark::Breakdown</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>地平線を走査しています</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::BreakdownForm</name>
     <message>
         <source>Each month by itself</source>
@@ -5176,6 +5696,13 @@ as published. Approximate: the legend states the measured error</source>
     </message>
 </context>
 <context>
+    <name>noonmark::BuildingAdder</name>
+    <message>
+        <source>finding the buildings</source>
+        <translation>建物を探しています</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::BuildingEditing</name>
     <message>
         <source>%1, %2
@@ -5188,6 +5715,13 @@ as published. Approximate: the legend states the measured error</source>
         <translation>
             <numerusform>%1 棟を除却</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CachedTile</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>地平線を走査しています</translation>
     </message>
 </context>
 <context>
@@ -5473,6 +6007,13 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Command</source>
         <translation>コマンド</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CrownTracer</name>
+    <message>
+        <source>tracing rays through trees</source>
+        <translation>樹木を通る光線を追跡しています</translation>
     </message>
 </context>
 <context>
@@ -6119,6 +6660,17 @@ as published. Approximate: the legend states the measured error</source>
     </message>
 </context>
 <context>
+    <name>noonmark::Filming</name>
+    <message>
+        <source>computing the frames of the movie</source>
+        <translation>動画のコマを計算しています</translation>
+    </message>
+    <message>
+        <source>writing the movie</source>
+        <translation>動画を書き出しています</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::FurtherTable</name>
     <message>
         <source>Add tower</source>
@@ -6357,6 +6909,13 @@ A click on a tile selects its row, a click on a row frames its window.</source>
     </message>
 </context>
 <context>
+    <name>noonmark::HorizonCache</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>地平線を走査しています</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::HoursOf</name>
     <message>
         <source>Hours of sun a day by month</source>
@@ -6577,6 +7136,13 @@ Continuous shadow stays as it is: the longest run in the sun does not follow fro
     </message>
 </context>
 <context>
+    <name>noonmark::LevelOutliner</name>
+    <message>
+        <source>projecting shadows</source>
+        <translation>影を投影しています</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::LineForm</name>
     <message>
         <source>Parcel</source>
@@ -6753,6 +7319,13 @@ Approximate: the legend states the measured error. Undo takes the method of the 
     <message>
         <source>Painting the map</source>
         <translation>地図を描画中</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MaskRun</name>
+    <message>
+        <source>filling shadows of places</source>
+        <translation>場所の影を塗っています</translation>
     </message>
 </context>
 <context>
@@ -7242,6 +7815,14 @@ Lowest %3, median %4, tallest %5.</source>
         <source>Add terrain</source>
         <translation>地形を追加</translation>
     </message>
+    <message>
+        <source>Changed in reading: %1</source>
+        <translation>読み込み時の変更: %1</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>なし</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::OtherScenario</name>
@@ -7283,6 +7864,13 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>Wall-clock time at which each day&apos;s hours begin, hours:minutes</source>
         <translation>各日の時間が始まる時刻 (時:分)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PeriodSweep</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation>地平線を走査しています</translation>
     </message>
 </context>
 <context>
@@ -7478,6 +8066,17 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>A terrain, an aerial photograph, trees, or parks and other places; what the city has stays</source>
         <translation>地形、航空写真、樹木、公園などの場所を追加します。都市にあるものはそのまま残ります</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceFile</name>
+    <message>
+        <source>reading places</source>
+        <translation>場所を読み込んでいます</translation>
+    </message>
+    <message>
+        <source>repairing outlines</source>
+        <translation>輪郭を修復しています</translation>
     </message>
 </context>
 <context>
@@ -8140,6 +8739,13 @@ With trees: %1</source>
     </message>
 </context>
 <context>
+    <name>noonmark::PointShading</name>
+    <message>
+        <source>weighing crowns at points</source>
+        <translation>点での樹冠を評価しています</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::PolygonDrawing</name>
     <message>
         <source>region</source>
@@ -8654,10 +9260,6 @@ Off: at the origin of the city from the other files.</source>
         <source>&amp;Export (%1)...</source>
         <translation>書き出す (%1)(&amp;E)...</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
     <message numerus="yes">
         <source>All %1 scenario(s) measured</source>
         <translation>
@@ -9018,6 +9620,13 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Estimating</source>
         <translation>見積もり中</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SampleProgress</name>
+    <message>
+        <source>measuring the error on a sample</source>
+        <translation>標本で誤差を測定しています</translation>
     </message>
 </context>
 <context>
@@ -9775,6 +10384,20 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     </message>
 </context>
 <context>
+    <name>noonmark::ShadowCache::State</name>
+    <message>
+        <source>filling shadows</source>
+        <translation>影を塗っています</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ShadowProjection</name>
+    <message>
+        <source>filling shadows</source>
+        <translation>影を塗っています</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::SheetForm</name>
     <message>
         <source>Page</source>
@@ -10106,6 +10729,13 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     </message>
 </context>
 <context>
+    <name>noonmark::SurfaceTracer</name>
+    <message>
+        <source>tracing rays</source>
+        <translation>光線を追跡しています</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::TargetRow</name>
     <message>
         <source>Floor area</source>
@@ -10409,6 +11039,13 @@ of the year, as many weeks</source>
     <message>
         <source>Build %1</source>
         <translation>%1 を建設</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Tracer</name>
+    <message>
+        <source>tracing rays</source>
+        <translation>光線を追跡しています</translation>
     </message>
 </context>
 <context>
@@ -10899,6 +11536,24 @@ of the year, as many weeks</source>
     </message>
 </context>
 <context>
+    <name>noonmark::Watch</name>
+    <message>
+        <source>reading the picture</source>
+        <translation>画像を読み込んでいます</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Watcher</name>
+    <message>
+        <source>reading the terrain</source>
+        <translation>地形を読み込んでいます</translation>
+    </message>
+    <message>
+        <source>resampling the terrain</source>
+        <translation>地形を再標本化しています</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::WeightCalendar</name>
     <message>
         <source>Weights by month and hour</source>
@@ -11243,10 +11898,6 @@ Click a building first.</source>
     <message>
         <source>Comparing results with the buildings</source>
         <translation>結果を建物と比較しています</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1（%2）</translation>
     </message>
     <message>
         <source>%1 is saved with the project: the list above the results shows it again</source>
@@ -11638,6 +12289,58 @@ Click a building first.</source>
     <message>
         <source>Leaf cycle</source>
         <translation>葉の周期</translation>
+    </message>
+    <message>
+        <source>%1, carriageway</source>
+        <translation>%1、車道</translation>
+    </message>
+    <message>
+        <source>%1, sidewalks</source>
+        <translation>%1、歩道</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation>%1、%2から%3まで</translation>
+    </message>
+    <message>
+        <source>%1, at %2</source>
+        <translation>%1、%2付近</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 ほか%2件</translation>
+    </message>
+    <message>
+        <source>%1, east of %2</source>
+        <translation>%1、%2の東</translation>
+    </message>
+    <message>
+        <source>%1, north-east of %2</source>
+        <translation>%1、%2の北東</translation>
+    </message>
+    <message>
+        <source>%1, north of %2</source>
+        <translation>%1、%2の北</translation>
+    </message>
+    <message>
+        <source>%1, north-west of %2</source>
+        <translation>%1、%2の北西</translation>
+    </message>
+    <message>
+        <source>%1, west of %2</source>
+        <translation>%1、%2の西</translation>
+    </message>
+    <message>
+        <source>%1, south-west of %2</source>
+        <translation>%1、%2の南西</translation>
+    </message>
+    <message>
+        <source>%1, south of %2</source>
+        <translation>%1、%2の南</translation>
+    </message>
+    <message>
+        <source>%1, south-east of %2</source>
+        <translation>%1、%2の南東</translation>
     </message>
 </context>
 </TS>

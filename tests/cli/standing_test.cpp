@@ -53,7 +53,7 @@ protected:
 TEST_F(StandingCommand, InfoStatesTheGapAndWhatWasDone) {
     EXPECT_THAT(
         say({"info"}).out,
-        HasSubstr("town.geojson: bases 20.0 m above the terrain (median of 3, spread 0.0 m); all were "
+        HasSubstr("Bases of town.geojson lie 20 m above the terrain (median of 3, spread 0 m); all were "
                   "shifted onto it"));
     const nlohmann::json info = say({"info"}, {"--json"}).json();
     EXPECT_EQ(info["heights"]["bases"][0]["rule"], "shifted");

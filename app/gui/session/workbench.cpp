@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/session/project/recent_files.h"
 #include "scenarios/impact/impact_text.h"
 
@@ -147,7 +148,7 @@ void Workbench::follow() {
     forgetAnswers();
     if (!city_) return;
     following_.start<OpenCity>(
-        tr("Showing %1").arg(QString::fromStdString(session_.scenario())),
+        tr("Showing %1").arg(scenarioName(session_.scenario())),
         [shown = city_, city = session_.city()](Progress& progress, const std::stop_token& stop) {
             return shownCity(withCity(shown->loaded, *city), shown->arrays, shown->crowns, progress, stop);
         },

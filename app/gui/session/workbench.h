@@ -234,7 +234,7 @@ private:
     void updateAnswers();
     void replace(const SharedAnswer& before, const SharedAnswer& now);
     void bringToFront(SharedAnswer answer);
-    [[nodiscard]] std::string freeMeasuredName(const QString& name) const;
+    [[nodiscard]] std::string freeMeasuredName(const std::string& name) const;
     void remember(const KnownAnswer& known, bool isWork);
     [[nodiscard]] std::string savedNameOf(const std::shared_ptr<const MeasuredAnswer>& measured) const;
     void showResult(const std::shared_ptr<const SavedResult>& result);

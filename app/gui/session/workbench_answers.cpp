@@ -430,7 +430,7 @@ void Workbench::showSaved(const std::string& name) {
 void Workbench::showResult(const std::shared_ptr<const SavedResult>& result) {
     if (session_.cityOf(result->scenario)) session_.goTo(result->scenario);
     reading_.start<SharedAnswer>(
-        tr("Showing %1").arg(QString::fromStdString(result->name)),
+        tr("Showing %1").arg(shownName(*result)),
         [result, project = session_.project(), questions = questions_](Progress&, const std::stop_token&) {
             return readSaved(result, project, questions);
         },
@@ -442,13 +442,13 @@ void Workbench::showResult(const std::shared_ptr<const SavedResult>& result) {
 }
 
 // Answers about other regions, or over more days, may have the same name.
-std::string Workbench::freeMeasuredName(const QString& name) const {
+std::string Workbench::freeMeasuredName(const std::string& name) const {
     const auto isTaken = [this](const std::string& one) {
         return std::ranges::any_of(measured_, [&](const auto& other) { return other->name() == one; }) ||
                findResult(session_.project(), one);
     };
-    std::string free = name.toStdString();
-    for (int number = 2; isTaken(free); ++number) free = tr("%1 (%2)").arg(name).arg(number).toStdString();
+    std::string free = name;
+    for (int number = 2; isTaken(free); ++number) free = name + " (" + std::to_string(number) + ")";
     return free;
 }
 
@@ -466,7 +466,7 @@ void Workbench::remember(const KnownAnswer& known, bool isWork) {
         std::erase_if(measured_, [&](const auto& one) { return one->isReplacedBy(answer); });
     if (measured_.size() == maxMeasured) measured_.erase(measured_.begin());
     measured_.push_back(
-        std::make_shared<const MeasuredAnswer>(known, session_, freeMeasuredName(listedName(answer))));
+        std::make_shared<const MeasuredAnswer>(known, session_, freeMeasuredName(storedName(answer))));
     if (replaced == 0 && isWork) session_.noteAnswer();
 }
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "app/gui/base/files/file_dialogs.h"
-#include "app/gui/session/answers/measured_answers.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
 #include "app/input/load_city.h"
 #include "app/questions/review_question.h"
@@ -227,7 +227,7 @@ void Workbench::saveAnswer(const QString& name) {
             if (!result) return report(result.error());
             result->name = freeName(session_.project(), ProjectPart::result, name.toStdString());
             if (measured) named_[measured] = result->name;
-            const QString saved = QString::fromStdString(result->name);
+            const QString saved = shownName(*result);
             session_.change(addResult(session_.project(), *std::move(result)),
                             tr("save result %1").arg(saved));
             Q_EMIT noted(

@@ -76,8 +76,8 @@ int ticksOf(const Legend& legend) {
     return std::max(1, int(std::lround((legend.scale.top - lowOf(legend)) / legend.scale.tick)));
 }
 
-QString numberText(double value, bool isSigned) {
-    return (isSigned && value > 0 ? QStringLiteral("+") : QString()) + QString::number(value);
+QString numberText(const Legend& legend, double value, bool isSigned) {
+    return (isSigned && value > 0 ? QStringLiteral("+") : QString()) + legend.numbers.toString(value, 'g', 6);
 }
 
 // Labels along the bar, from left to right.
@@ -85,7 +85,7 @@ QStringList labelsOf(const Legend& legend) {
     const int ticks = ticksOf(legend);
     QStringList labels;
     for (int i = legend.change ? -ticks : 0; i <= ticks; ++i)
-        labels << numberText(lowOf(legend) + i * legend.scale.tick, legend.change);
+        labels << numberText(legend, lowOf(legend) + i * legend.scale.tick, legend.change);
     return labels;
 }
 
@@ -170,7 +170,7 @@ void paintColourClasses(const Canvas& canvas, const QRectF& bar, const Legend& l
         canvas.painter.setPen(linePen(canvas, canvas.inks.quiet, 0.4));
         canvas.painter.drawRect(QRectF(left, bar.top(), width, bar.height()));
         canvas.painter.setPen(canvas.inks.text);
-        if (i > 0) paintLabel(canvas, bar, left, numberText(classes[i].low, isSigned));
+        if (i > 0) paintLabel(canvas, bar, left, numberText(legend, classes[i].low, isSigned));
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QImage>
+#include <QLocale>
 #include <QString>
 
 #include "app/report/maps/shadow_measure.h"
@@ -34,6 +35,7 @@ struct Legend {
     /// The colours from colours->low to colours->high; none: those of plainScale().
     std::optional<ColourScale> colours{};
     std::vector<LegendNote> notes{};
+    QLocale numbers = QLocale::c();  ///< that writes the labels of the scale
 };
 
 /// "min a day, scale fitted to this difference, largest 12"

@@ -11,6 +11,7 @@
 #include "app/report/sheets/study_text.h"
 #include "core/base/progress.h"
 #include "core/city/trees/tree.h"
+#include "core/describe/text.h"
 #include "core/io/files/write_text.h"
 #include "core/measures/shadow_outlines.h"
 #include "core/receivers/place_names.h"
@@ -167,7 +168,8 @@ private:
         const FramePainter painter(movie_, makeScene(movie_, true), area_);
         for (std::size_t first = 0; first < times_.size(); first += timesAtOnce) {
             const auto times = times_.subspan(first, std::min(timesAtOnce, times_.size() - first));
-            progress_.report(double(first) / double(times_.size()), "computing the frames of the movie");
+            progress_.report(double(first) / double(times_.size()),
+                             NM_TEXT("computing the frames of the movie"));
             const auto outlines = outlinesOf(times);
             if (!outlines) return tl::make_unexpected(outlines.error());
             for (std::size_t i = 0; i < times.size(); ++i) {
@@ -191,7 +193,7 @@ private:
             const double share = (double(i) - double(restFrames)) / double(swipeFrames - 1);
             if (auto added = add(composeSwipe(before, after, std::clamp(share, 0.0, 1.0))); !added)
                 return added;
-            progress_.report(double(i) / double(swipeFrames), "writing the movie");
+            progress_.report(double(i) / double(swipeFrames), NM_TEXT("writing the movie"));
         }
         return {};
     }

@@ -165,7 +165,7 @@ Result<ShadowField> sweepHorizons(const City& city, const Receivers& receivers, 
         sweep.outOfReach();
     if (rays) addDecided(*rays, receivers, field);
     if (crownSweep) field.trees = addTaken(field, receivers, sweep.takenSteps(), crowns.crowns.size());
-    progress.report(1, "sweeping horizons");
+    progress.report(1, NM_TEXT("sweeping horizons"));
     return field;
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/base/progress.h"
+#include "core/describe/text.h"
 #include "core/engines/common/open_below.h"
 #include "core/engines/points/horizons/horizon_of_point.h"
 #include "core/engines/points/horizons/point_runs.h"
@@ -102,7 +103,8 @@ Result<PointMonths> sweepPoints(const City& city, const SurfacePoints& points, c
             result.longestShadowMin[i] = float(runs.shadow * sun.stepMinutes);
             result.longestSunMin[i] = float(runs.sun * sun.stepMinutes);
         }
-        progress.report(double(done += range.size()) / double(points.size()), "sweeping horizons of points");
+        progress.report(double(done += range.size()) / double(points.size()),
+                        NM_TEXT("sweeping horizons of points"));
     });
     if (stop.stop_requested()) return cancelled();
     result.cost.seconds["sweep"] = watch.seconds();

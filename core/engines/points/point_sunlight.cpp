@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "core/base/progress.h"
+#include "core/describe/text.h"
 #include "core/engines/common/run_counter.h"
 #include "core/engines/common/sun_packets.h"
 #include "core/engines/points/point_horizons.h"
@@ -249,7 +250,8 @@ Result<PointMonths> tracePoints(const City& city, const SurfacePoints& points, c
         const FlushDenormals flush;
         for (std::size_t i = range.begin(); i < range.end() && !stop.stop_requested(); ++i)
             rays += tracePoint(trace, points.positions[i], points.normals[i], i, result);
-        progress.report(double(done += range.size()) / double(points.size()), "tracing rays from points");
+        progress.report(double(done += range.size()) / double(points.size()),
+                        NM_TEXT("tracing rays from points"));
     });
     if (stop.stop_requested()) return cancelled();
     result.cost.seconds["trace"] = watch.seconds();

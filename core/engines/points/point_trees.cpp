@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "core/describe/text.h"
 #include "core/engines/common/run_counter.h"
 #include "core/engines/points/point_sunlight.h"
 #include "core/engines/ray/surface_rays.h"
@@ -43,7 +44,7 @@ public:
             for (std::size_t i = range.begin(); i < range.end() && !stop.stop_requested(); ++i)
                 shade(i, crowns);
             progress.report(double(done += range.size()) / double(points_.size()),
-                            "weighing crowns at points");
+                            NM_TEXT("weighing crowns at points"));
         });
     }
 

@@ -12,6 +12,7 @@
 #include <functional>
 
 #include "core/base/safe_text.h"
+#include "core/describe/text.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/common/receiver_tiles.h"
 #include "core/engines/common/shadow_reach.h"
@@ -145,7 +146,7 @@ FillCount ShadowProjection::count(const FillWindow& window, ShadowField& field) 
 // Reports that eight more steps of a window are done, and returns whether to continue.
 bool ShadowProjection::goOn() {
     const double all = double(sun_.steps.size()) * double(windows_.size());
-    progress_.report(std::min(1.0, double(done_ += stepsTogether) / all), "filling shadows");
+    progress_.report(std::min(1.0, double(done_ += stepsTogether) / all), NM_TEXT("filling shadows"));
     return !stop_.stop_requested();
 }
 
@@ -220,7 +221,7 @@ Result<ShadowField> fillShadows(const City& city, const Receivers& receivers, co
     if (!total) return tl::make_unexpected(total.error());
     field.cost.seconds["fill and count"] = watch.seconds() - field.cost.seconds["build"];
     field.cost.skipped["shadows that meet no receiver (casters x steps x bands of rows)"] = total->outOfReach;
-    progress.report(1, "filling shadows");
+    progress.report(1, NM_TEXT("filling shadows"));
     return field;
 }
 

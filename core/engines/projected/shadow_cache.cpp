@@ -10,6 +10,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
+#include "core/describe/text.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/common/changed_buildings.h"
 #include "core/engines/common/shadow_reach.h"
@@ -157,7 +158,7 @@ struct ShadowCache::State {
             bands[i].change(removed, added, period, memory, stop);
             if (stop.stop_requested() || memory.exceeded()) return;
             bands[i].recount(period, kinds, field);
-            progress.report(double(++done) / double(bands.size()), "filling shadows");
+            progress.report(double(++done) / double(bands.size()), NM_TEXT("filling shadows"));
         });
         if (stop.stop_requested()) return cancelled();
         if (memory.exceeded()) return tl::make_unexpected(tooMuch(field.grid, period.steps, settings));

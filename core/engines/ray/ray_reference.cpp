@@ -18,6 +18,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/city/city.h"
+#include "core/describe/text.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/common/changed_buildings.h"
 #include "core/engines/common/receiver_tiles.h"
@@ -127,7 +128,7 @@ std::vector<StepMasks> traceDay(const CityScenes& scenes, const Receivers& recei
 Result<void> computeRayMasks(std::span<const City* const> cities, const Receivers& receivers,
                              const SunSteps& sun, const TakeDay& take, Progress& progress,
                              const std::stop_token& stop) {
-    progress.report(0, "building the ray scene");
+    progress.report(0, NM_TEXT("building the ray scene"));
     const auto scenes = buildScenes(cities, receivers, sun, stop);
     if (!scenes) return tl::make_unexpected(scenes.error());
     for (std::size_t day = 0; day < sun.days.size(); ++day) {
@@ -135,7 +136,7 @@ Result<void> computeRayMasks(std::span<const City* const> cities, const Receiver
         auto masks = traceDay(*scenes, receivers, chooseDays(sun, numbers), stop);
         if (stop.stop_requested()) return cancelled();
         if (auto taken = take(day, masks); !taken) return taken;
-        progress.report(double(day + 1) / double(sun.days.size()), "tracing rays");
+        progress.report(double(day + 1) / double(sun.days.size()), NM_TEXT("tracing rays"));
     }
     return {};
 }
@@ -217,7 +218,7 @@ private:
         const std::size_t all = receivers_.cells.size();
         const std::size_t now = done_.fetch_add(cells) + cells;
         if (now * 200 / all != (now - cells) * 200 / all)
-            progress_.report(double(now) / double(all), "tracing rays");
+            progress_.report(double(now) / double(all), NM_TEXT("tracing rays"));
     }
 
     const RayScene& scene_;
@@ -247,7 +248,7 @@ Result<ShadowField> traceRays(const City& city, const Receivers& receivers, cons
     field.engine = fmt::format("Ray reference, {}, robust, packets of {}", RayScene::backend(),
                                DirectionPacket::capacity);
     if (stop.stop_requested()) return cancelled();
-    progress.report(0, "building the ray scene");
+    progress.report(0, NM_TEXT("building the ray scene"));
     const auto scene = buildScene(city, receivers, sun, field.cost, stop);
     if (!scene) return tl::make_unexpected(scene.error());
     const Stopwatch watch;
@@ -263,7 +264,7 @@ Result<ShadowField> traceRays(const City& city, const Receivers& receivers, cons
         field.trees = std::make_shared<const TreeShade>(*std::move(shade));
     }
     field.cost.rays = std::uint64_t(receivers.cells.size()) * sun.steps.size();
-    progress.report(1, "tracing rays");
+    progress.report(1, NM_TEXT("tracing rays"));
     return field;
 }
 

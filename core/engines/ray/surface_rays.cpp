@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/memory_guard.h"
+#include "core/describe/text.h"
 #include "core/engines/common/run_counter.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/simd/flush_denormals.h"
@@ -43,7 +44,7 @@ Result<std::vector<PointMinutes>> traceMinutesAt(const RayScene& scene, std::spa
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
         const RunCounter runs = runsAt(scene, places[i], packets, stop);
         minutes[i] = {runs.total() * sun.stepMinutes / days, runs.longest() * sun.stepMinutes};
-        progress.report(double(++done) / double(places.size()), "tracing rays");
+        progress.report(double(++done) / double(places.size()), NM_TEXT("tracing rays"));
     });
     if (stop.stop_requested()) return cancelled();
     return minutes;
@@ -109,7 +110,7 @@ private:
     void report(std::size_t points) {
         const std::size_t now = done_.fetch_add(points) + points;
         if (now * 200 / points_.size() != (now - points) * 200 / points_.size())
-            progress_.report(double(now) / double(points_.size()), "tracing rays");
+            progress_.report(double(now) / double(points_.size()), NM_TEXT("tracing rays"));
     }
 
     const RayScene& scene_;
@@ -129,7 +130,7 @@ Result<SurfaceShadow> tracePoints(const City& city, const std::optional<RayScene
                                   const std::stop_token& stop) {
     auto shadow = makeBlankSurfaceShadow(points, sun);
     if (!shadow) return shadow;
-    progress.report(0, "building the ray scene");
+    progress.report(0, NM_TEXT("building the ray scene"));
     const Stopwatch build;
     const auto scene = ready ? Result<RayScene>(*ready) : RayScene::over(city, stop);
     if (!scene) return tl::make_unexpected(scene.error());

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <span>
 
+#include "core/describe/text.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/engines/ray/tree_rays.h"
@@ -178,7 +179,8 @@ Result<TakenByTree> traceTakenByTree(const City& city, const Receivers& receiver
         });
         for (std::size_t i = 0; i < count; ++i)
             sums.add(taken[i], cellM2 * (receivers.shares.empty() ? 1 : receivers.shares[chosen[first + i]]));
-        progress.report(double(first + count) / double(chosen.size()), "tracing rays through single trees");
+        progress.report(double(first + count) / double(chosen.size()),
+                        NM_TEXT("tracing rays through single trees"));
     }
     if (stop.stop_requested()) return cancelled();
     return sums.finish(crowns, chosen.size());

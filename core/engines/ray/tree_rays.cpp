@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "core/describe/text.h"
 #include "core/engines/common/receiver_tiles.h"
 #include "core/engines/common/run_counter.h"
 #include "core/engines/common/shadow_reach.h"
@@ -90,7 +91,8 @@ private:
             if (stop_.stop_requested()) return;
         }
         const std::size_t now = done_.fetch_add(cells.size()) + cells.size();
-        progress_.report(double(now) / double(receivers_.cells.size()), "tracing rays through trees");
+        progress_.report(double(now) / double(receivers_.cells.size()),
+                         NM_TEXT("tracing rays through trees"));
     }
 
     // The crowns that may shade a cell of a tile.

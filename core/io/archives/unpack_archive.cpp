@@ -8,6 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/safe_text.h"
+#include "core/describe/text.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/pieces/read_part.h"
 
@@ -244,7 +245,7 @@ Result<FilePiece> readPacked(const std::filesystem::path& file, const ReadSettin
 
 Result<FilePiece> readArchive(const std::filesystem::path& file, const ReadSettings& given,
                               Progress& progress, std::stop_token stop, const LonLatBox* window) {
-    progress.report(0, "unpacking the archive");
+    progress.report(0, NM_TEXT("unpacking the archive"));
     const auto archive = unpackArchive(file, stop);
     if (!archive) return tl::make_unexpected(archive.error());
     ReadSettings settings = given;

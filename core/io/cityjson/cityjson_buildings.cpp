@@ -18,6 +18,7 @@
 #include "core/city/meshes/mesh_parts.h"
 #include "core/city/meshes/mesh_topology.h"
 #include "core/city/terrain/tin_terrain.h"
+#include "core/describe/text.h"
 #include "core/geo/frame.h"
 #include "core/io/heights/height_reading.h"
 #include "core/io/pieces/read_part.h"
@@ -219,7 +220,7 @@ bool addBuildings(const CityJsonData& data, const ReadSettings& settings, const 
         warnings[i] = std::move(maker.warnings);
         origins[i] = std::move(maker.origins);
         if (const std::size_t count = ++done; count % 64 == 0)
-            progress.report(double(count) / double(groups.size()), "making the buildings");
+            progress.report(double(count) / double(groups.size()), NM_TEXT("making the buildings"));
     });
     if (stop.stop_requested()) return false;
     for (std::size_t i = 0; i < groups.size(); ++i) {

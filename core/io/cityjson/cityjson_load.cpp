@@ -10,6 +10,7 @@
 #include <streambuf>
 #include <string>
 
+#include "core/describe/text.h"
 #include "core/io/files/json_nesting.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/heights/tree_fields.h"
@@ -407,7 +408,7 @@ bool readSequence(BoundedJson& json, const StoppableStream& stream, Loader& load
         const bool isShallow = JsonNesting().take(line);
         loader.addFeature(isShallow ? Json::parse(line, nullptr, false) : Json(Json::value_t::discarded),
                           number);
-        if (number % 256 == 0) progress.report(stream.share(), "reading the features");
+        if (number % 256 == 0) progress.report(stream.share(), NM_TEXT("reading the features"));
     }
     return true;
 }
@@ -431,7 +432,7 @@ Result<CityJsonData> loadCityJson(const std::filesystem::path& file, const ReadS
     if (!stream.opened())
         return failure("The file cannot be opened", file.string(),
                        "Check that it is there and that you may read it");
-    progress.report(0, "reading the city");
+    progress.report(0, NM_TEXT("reading the city"));
     BoundedJson json(stream);
     const Json first = firstValue(json);
     if (stop.stop_requested()) return cancelled();

@@ -9,6 +9,7 @@
 
 #include "core/base/safe_text.h"
 #include "core/city/footprints/footprint.h"
+#include "core/describe/text.h"
 #include "core/geo/lon_lat.h"
 #include "core/io/context/read_context.h"
 #include "core/io/files/open_dataset.h"
@@ -280,7 +281,8 @@ Result<ContextRead> readLayers(GDALDataset& dataset, const std::string& file, co
             fmt::format("It holds more than {} features to draw", ContextSettings::maxFeatures), file,
             "Cut out the part around the city");
     };
-    const auto features = readFeatures(layers, {file, "map of " + file}, calls, take, progress, stop);
+    const auto features =
+        readFeatures(layers, {file, NM_TEXT("reading the map")}, calls, take, progress, stop);
     if (!features) return tl::make_unexpected(features.error());
     ContextRead read{{}, {}, *features};
     for (ContextLayer& reader : readers) reader.place(frame, settings.farAwayM, read);

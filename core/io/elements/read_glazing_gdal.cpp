@@ -10,6 +10,7 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/base/safe_text.h"
+#include "core/describe/text.h"
 #include "core/geo/frame.h"
 #include "core/geo/lon_lat.h"
 #include "core/io/files/open_dataset.h"
@@ -244,7 +245,8 @@ Result<GlazingRead> readLayers(GDALDataset& dataset, const GdalCalls& calls, con
         return limitReached(fmt::format("It holds more than {} windows", GlazingFileSettings::maxWindows),
                             file, "Divide the file");
     };
-    if (auto done = readFeatures(layers, {file, "windows of " + file}, calls, take, progress, stop); !done)
+    if (auto done = readFeatures(layers, {file, NM_TEXT("reading windows")}, calls, take, progress, stop);
+        !done)
         return tl::make_unexpected(done.error());
     for (const GlazingLayer& reader : readers) reader.place(city, settings, read);
     if (stop.stop_requested()) return cancelled();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/describe/text.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/files/xml_stream.h"
 
@@ -155,7 +156,8 @@ Result<void> streamXml(const std::filesystem::path& file, XmlListener& listener,
         return failure("The file cannot be opened", file.string(),
                        "Check that it is there and that you may read it");
     XmlParse parse(file.filename().string(), listener);
-    while (!stop.stop_requested() && parse.feed(stream)) progress.report(stream.share(), "reading the city");
+    while (!stop.stop_requested() && parse.feed(stream))
+        progress.report(stream.share(), NM_TEXT("reading the city"));
     if (stop.stop_requested()) return cancelled();
     return parse.takeOutcome();
 }

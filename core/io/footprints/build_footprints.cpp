@@ -9,6 +9,7 @@
 #include "core/city/footprints/plan_areas.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_outline.h"
+#include "core/describe/text.h"
 
 namespace noonmark {
 
@@ -237,12 +238,12 @@ Result<void> buildFootprints(FilePiece& piece, std::vector<UnplacedFeature> feat
                              const ReadSettings& settings, Progress& progress, const std::stop_token& stop) {
     if (!settings.frame) piece.frame = frameOf(features, settings.farAwayM);
     const Frame frame = settings.frame ? *settings.frame : *piece.frame;
-    progress.report(shareOfReading, "repairing outlines");
+    progress.report(shareOfReading, NM_TEXT("repairing outlines"));
     const auto placed = placeFeatures(std::move(features), frame, settings.farAwayM, piece.warnings, stop);
-    progress.report(0.9, "making buildings");
+    progress.report(0.9, NM_TEXT("making buildings"));
     addBuildings(piece, assembleBuildings(placed, settings.metresPerLevel, piece.warnings, stop), frame);
     if (stop.stop_requested()) return cancelled();
-    progress.report(1, "making buildings");
+    progress.report(1, NM_TEXT("making buildings"));
     return {};
 }
 

@@ -295,7 +295,7 @@ private:
             if (++readHere_ % 256 != 0) continue;
             if (stop_.stop_requested()) break;
             const double share = std::min(1.0, double(readHere_) / countHere_);
-            progress_.report(shareOfReading * share, "reading " + file_.filename().string());
+            progress_.report(shareOfReading * share, file_.filename().string());
         }
         if (stop_.stop_requested()) return cancelled();
         return chunk;

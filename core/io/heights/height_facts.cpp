@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "core/base/safe_text.h"
+#include "core/describe/figure_text.h"
+#include "core/describe/text.h"
 #include "core/io/settings/read_settings.h"
 
 namespace noonmark {
@@ -18,11 +20,11 @@ constexpr std::array standRules{StandRule::asStated, StandRule::shifted, StandRu
 const char* describeRule(StandRule rule) {
     switch (rule) {
         case StandRule::asStated:
-            return "they stand where the file states";
+            return NM_TEXT("they stand where the file states");
         case StandRule::shifted:
-            return "all were shifted onto it";
+            return NM_TEXT("all were shifted onto it");
         case StandRule::setDown:
-            return "each building was set down on it";
+            return NM_TEXT("each building was set down on it");
     }
     return "";
 }
@@ -69,13 +71,26 @@ bool BaseFit::fits() const {
     return std::abs(gapM) <= std::max(sillM, spreadM);
 }
 
-std::string describe(const BaseFit& fit) {
-    std::string text = fmt::format("{}: bases {:.1f} m {} the terrain (median of {}, spread {:.1f} m); {}",
-                                   fit.file, std::abs(fit.gapM), fit.gapM < 0 ? "below" : "above",
-                                   formatThousands(fit.buildings), fit.spreadM, describeRule(fit.rule));
+bool BaseFit::isRemarkable() const { return rule != StandRule::asStated || apart > 0 || !fits(); }
+
+std::vector<Sentence> listSentences(const BaseFit& fit) {
+    const auto count = [](std::size_t number) { return Amount{double(number), FigureUnit::none, 0}; };
+    std::vector<Sentence> sentences{
+        {fit.gapM < 0 ? NM_TEXT("bases of %1 lie %2 m below the terrain (median of %3, spread %4 m)")
+                      : NM_TEXT("bases of %1 lie %2 m above the terrain (median of %3, spread %4 m)"),
+         {fit.file, Amount{std::abs(fit.gapM)}, count(fit.buildings), Amount{fit.spreadM}}},
+        {describeRule(fit.rule), {}}};
     if (fit.apart > 0)
-        text += fmt::format("; {} far from that gap were set down by themselves", formatThousands(fit.apart));
-    if (fit.aloft > 0) text += fmt::format("; {} stay above the ground", formatThousands(fit.aloft));
+        sentences.push_back(
+            {NM_TEXT("%1 far from that gap were set down by themselves"), {count(fit.apart)}});
+    if (fit.aloft > 0) sentences.push_back({NM_TEXT("%1 stay above the ground"), {count(fit.aloft)}});
+    return sentences;
+}
+
+std::string describe(const BaseFit& fit) {
+    std::string text;
+    for (const Sentence& sentence : listSentences(fit))
+        text += text.empty() ? formatText(sentence) : "; " + lowered(formatText(sentence));
     return text;
 }
 

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/describe/answer_page.h"
+
 namespace noonmark {
 
 /// A field that heights were read from; stated by info, study.json and reports.
@@ -62,6 +64,8 @@ struct BaseFit {
     std::size_t apart = 0;  ///< set down by themselves: their gap is far from that of the others
     /// Whether the median gap is within 1 m, or within the spread.
     [[nodiscard]] bool fits() const;
+    /// Whether they were not simply left at the elevations that their file states.
+    [[nodiscard]] bool isRemarkable() const;
     bool operator==(const BaseFit&) const = default;
 };
 
@@ -92,8 +96,10 @@ std::string selectingOptions(const UnknownField& field);
 /// "RelH2 (base of the roof), m: 1,204 features"
 std::string describe(const HeightField& field);
 
-/// "town.city.json: bases 20.0 m above the terrain (median of 120, spread 0.1 m); all were shifted"
+/// "Bases of town.city.json lie 20 m above the terrain (median of 120, spread 0.1 m); all were shifted onto
+/// it"
 std::string describe(const BaseFit& fit);
+std::vector<Sentence> listSentences(const BaseFit& fit);
 
 /// "town.gpkg: height: half of its heights are over 1200 m as they are read, in metres; ..."
 std::string describe(const HeightDoubt& doubt);

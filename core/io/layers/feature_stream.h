@@ -25,10 +25,10 @@ namespace noonmark {
 /// Takes a feature of the layer of that index. An error ends reading and is returned from it.
 using TakeFeature = std::function<Result<void>(std::size_t layer, const OGRFeature& feature)>;
 
-/// How features are read: `what` is shown with the progress ("places of map.osm.pbf").
+/// How features are read: `what` is shown with the progress (NM_TEXT: "reading places").
 struct FeatureStream {
     std::string file;  ///< its name in errors
-    std::string what;
+    std::string_view what;
     double share = 0.8;  ///< of the progress, when all is read
 };
 

@@ -38,8 +38,7 @@ private:
             if (auto taken = take_(layer, *feature); !taken) return taken;
             if (++features_ % 256 != 0) continue;
             if (stop_.stop_requested()) return cancelled();
-            progress_.report(stream_.share * double(layer) / double(layers_.size()),
-                             "reading " + stream_.what);
+            progress_.report(stream_.share * double(layer) / double(layers_.size()), stream_.what);
         }
     }
 

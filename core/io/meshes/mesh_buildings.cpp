@@ -14,6 +14,7 @@
 #include "core/city/meshes/mesh_parts.h"
 #include "core/city/meshes/mesh_topology.h"
 #include "core/city/meshes/surface_mesher.h"
+#include "core/describe/text.h"
 #include "core/geo/lon_lat.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/formats/format.h"
@@ -61,7 +62,7 @@ private:
             const StopScope scope(stop);
             if (StopScope::isStopped()) return;
             made[i] = partsOf(units[i].mesh, ids[i], file_ + ": " + ids[i]);
-            progress.report(double(++done) / double(units.size()), "finding the buildings");
+            progress.report(double(++done) / double(units.size()), NM_TEXT("finding the buildings"));
         });
         return made;
     }
@@ -97,7 +98,7 @@ void stateBases(FilePiece& piece) {
 
 bool addBuildings(const std::vector<NamedMesh>& objects, const std::string& file, FilePiece& piece,
                   Progress& progress, const std::stop_token& stop) {
-    progress.report(0, "finding the buildings");
+    progress.report(0, NM_TEXT("finding the buildings"));
     const std::vector<NamedMesh> joined = joinSurfaces(objects);
     BuildingAdder adder(joined, file, piece);
     adder.add(detectUnits(joined, file, piece.warnings, stop), progress, stop);
@@ -383,7 +384,7 @@ Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings
     if (error)
         return failure("The file cannot be opened", file.string(),
                        "Check that it is a plain file, and that you have permission to read it");
-    progress.report(0, "reading the mesh");
+    progress.report(0, NM_TEXT("reading the mesh"));
     auto scene = readMeshScene(file, meshReaderLimits(bytes), stop);
     if (!scene) return tl::make_unexpected(scene.error());
     std::optional<glm::dvec3> offset;

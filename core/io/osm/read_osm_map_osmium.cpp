@@ -242,7 +242,7 @@ private:
 
     void report(std::size_t turn, double share) {
         constexpr double turns = 3;
-        progress_.report((double(turn) + share) / turns, "reading " + path_.filename().string());
+        progress_.report((double(turn) + share) / turns, path_.filename().string());
     }
 
     Taken take(const osmium::Relation& relation) {

@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 
 #include "core/base/gdal_calls.h"
+#include "core/describe/text.h"
 #include "core/geo/crs.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/write_text.h"
@@ -124,7 +125,7 @@ struct Watch {
     const std::stop_token& stop;
     static int CPL_STDCALL report(double done, const char*, void* watch) {
         auto& self = *static_cast<Watch*>(watch);
-        self.progress.report(done, "reading the picture");
+        self.progress.report(done, NM_TEXT("reading the picture"));
         return self.stop.stop_requested() ? 0 : 1;
     }
 };

@@ -12,6 +12,7 @@
 #include "core/base/stop_scope.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/footprints/repair_footprint.h"
+#include "core/receivers/made_names.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -21,7 +22,7 @@ namespace {
 using Indices = std::vector<std::size_t>;
 
 std::string sourceOf(const std::string& first, std::size_t count) {
-    return count == 1 ? first : fmt::format("{} and {} more", first, count - 1);
+    return count == 1 ? first : makeName(madeNames::severalSources, {first, std::to_string(count - 1)});
 }
 
 // Joins areas that lie near each other.
@@ -93,10 +94,10 @@ std::vector<Place> makeSidewalks(const std::vector<Place>& carriageways,
     return places;
 }
 
-std::vector<Place> named(std::vector<Place> places, std::string_view part) {
+std::vector<Place> named(std::vector<Place> places, std::string_view pattern) {
     for (Place& place : places)
-        place.name = fmt::format(
-            "{}, {}", place.name.empty() ? fmt::format("street ({})", place.source) : place.name, part);
+        place.name =
+            makeName(pattern, {place.name.empty() ? fmt::format("street ({})", place.source) : place.name});
     return places;
 }
 
@@ -153,8 +154,8 @@ std::vector<Place> makeStreets(const std::vector<StreetPiece>& pieces, const Str
         streets.push_back(std::move(all[i]));
     }
     if (how.sidewalkM <= 0) return joinAreas(std::move(places));
-    auto sidewalks = joinAreas(named(makeSidewalks(places, streets, how.sidewalkM), "sidewalks"));
-    return alternate(joinAreas(named(std::move(places), "carriageway")), std::move(sidewalks));
+    auto sidewalks = joinAreas(named(makeSidewalks(places, streets, how.sidewalkM), madeNames::sidewalks));
+    return alternate(joinAreas(named(std::move(places), madeNames::carriageway)), std::move(sidewalks));
 }
 
 }  // namespace noonmark

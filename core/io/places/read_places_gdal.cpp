@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "core/base/gdal_calls.h"
+#include "core/describe/text.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/layers/feature_stream.h"
@@ -129,7 +130,7 @@ public:
             readers_.push_back(*std::move(reader));
         }
         return readFeatures(
-                   layers_, {file_, "places of " + file_}, calls,
+                   layers_, {file_, NM_TEXT("reading places")}, calls,
                    [&](std::size_t layer, const OGRFeature& feature) { return take(layer, feature); },
                    progress_, stop_)
             .map([&](std::size_t features) { features_ = features; });
@@ -141,7 +142,7 @@ public:
         std::vector<StreetPiece> streets;
         std::size_t usable = 0;
         for (const PlaceLayer& reader : readers_) {
-            progress_.report(0.8, "repairing outlines");
+            progress_.report(0.8, NM_TEXT("repairing outlines"));
             std::ranges::move(reader.placeAreas(frame, read, stop_), std::back_inserter(areas));
             std::ranges::move(reader.placeStreets(frame, read), std::back_inserter(streets));
             usable += reader.usableFeatures();
@@ -156,7 +157,7 @@ public:
         std::erase_if(read.places, [&](const Place& place) { return area(place) < settings_.minAreaM2; });
         makeNamesUnique(read.places);
         if (stop_.stop_requested()) return cancelled();
-        progress_.report(1, "reading places");
+        progress_.report(1, NM_TEXT("reading places"));
         return read;
     }
 

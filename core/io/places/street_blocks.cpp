@@ -1,7 +1,5 @@
 #include "core/io/places/place_assembly.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -16,6 +14,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
+#include "core/receivers/made_names.h"
 
 namespace noonmark {
 
@@ -200,10 +199,10 @@ private:
         std::vector<std::string> cross = crossStreetsOf(run);
         if (cross.empty()) return name_;
         if (cross.size() == 1 && hasOpenEnd(run))
-            return fmt::format("{}, {} of {}", name_, windOf(run), cross[0]);
-        if (cross.size() == 1) return fmt::format("{}, at {}", name_, cross[0]);
+            return makeName(madeNames::winds[windOf(run)], {name_, cross[0]});
+        if (cross.size() == 1) return makeName(madeNames::at, {name_, cross[0]});
         if (precedes(cross[1], cross[0])) std::swap(cross[0], cross[1]);
-        return fmt::format("{}, {} to {}", name_, cross[0], cross[1]);
+        return makeName(madeNames::between, {name_, cross[0], cross[1]});
     }
 
     // At most two: where a run branches, those of the ends that lie farthest apart.
@@ -223,10 +222,8 @@ private:
         return farthest;
     }
 
-    // Where the run leads from its junction, by the frame's north.
-    [[nodiscard]] std::string_view windOf(const Run& run) const {
-        static constexpr std::array winds{"east", "north-east", "north", "north-west",
-                                          "west", "south-west", "south", "south-east"};
+    // Where the run leads from its junction, by the frame's north: an index of madeNames::winds.
+    [[nodiscard]] std::size_t windOf(const Run& run) const {
         const Node& from = run.ends.begin()->first;
         const glm::dvec2 junction = glm::dvec2(double(from.first), double(from.second)) / 100.0;
         glm::dvec2 farthest(0);
@@ -234,7 +231,7 @@ private:
             for (const glm::dvec2 point : stretches_[stretch].points)
                 if (glm::length(point - junction) > glm::length(farthest)) farthest = point - junction;
         const double eighths = std::atan2(farthest.y, farthest.x) / (std::numbers::pi / 4);
-        return winds[std::size_t(std::lround(eighths) + 8) % 8];
+        return std::size_t(std::lround(eighths) + 8) % 8;
     }
 
     // Whether a stretch ends where nothing else of the street goes on.

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "core/base/gdal_calls.h"
+#include "core/describe/text.h"
 #include "core/geo/crs.h"
 #include "core/geo/frame.h"
 #include "core/io/files/open_dataset.h"
@@ -188,10 +189,10 @@ Options warpOptions(const Source& source, const Grid& grid, bool coarser, GDALPr
 struct Watcher {
     Progress& progress;
     std::stop_token stop;
-    void reportReading(double done) const { progress.report(done, "reading the terrain"); }
+    void reportReading(double done) const { progress.report(done, NM_TEXT("reading the terrain")); }
     static int CPL_STDCALL report(double done, const char*, void* watcher) {
         auto& self = *static_cast<Watcher*>(watcher);
-        self.progress.report(done, "resampling the terrain");
+        self.progress.report(done, NM_TEXT("resampling the terrain"));
         return self.stop.stop_requested() ? 0 : 1;
     }
 };

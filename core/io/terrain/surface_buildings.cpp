@@ -324,7 +324,9 @@ Result<std::size_t> makeBuildings(const SurfacePair& pair, SurfaceLook& look, st
                                   const std::stop_token& stop) {
     FilePiece& piece = *pair.surface->piece;
     const std::shared_ptr<const Terrain> surface = piece.terrain;
-    const auto report = [&](double done) { progress.report(done, "making buildings of the surface model"); };
+    const auto report = [&](double done) {
+        progress.report(done, NM_TEXT("making buildings of the surface model"));
+    };
     report(0);
     const std::vector<Shown> shown = look.find(pair, stop);
     report(0.2);

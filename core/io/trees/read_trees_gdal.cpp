@@ -10,6 +10,7 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/base/safe_text.h"
+#include "core/describe/text.h"
 #include "core/geo/crs.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/plain_file.h"
@@ -73,7 +74,7 @@ Result<CanopyCells> readCells(GDALRasterBand& band, GDALRasterBand* base, const 
         if (cells.places.size() > maxCanopyCells)
             return limitReached(fmt::format("It holds more than {} cells of canopy", maxCanopyCells), file,
                                 "Cut out the part around the city, or make its cells larger");
-        progress.report(double(y) / band.GetYSize(), "reading canopy");
+        progress.report(double(y) / band.GetYSize(), NM_TEXT("reading canopy"));
     }
     return cells;
 }
@@ -322,7 +323,8 @@ Result<void> readTreeLayer(OGRLayer& layer, const Path& file, const TreeReading&
         return limitReached(fmt::format("It holds more than {} trees", maxTrees), file.string(),
                             "Cut out the part around the city");
     };
-    auto done = readFeatures({&layer}, {file.string(), "trees of " + name}, calls, take, progress, stop);
+    auto done =
+        readFeatures({&layer}, {file.string(), NM_TEXT("reading trees")}, calls, take, progress, stop);
     if (!done) return tl::make_unexpected(done.error());
     if (trees.count() == 0) return {};
     const auto toLonLat = findSystem(layer, trees, file, how.crs, read.warnings);

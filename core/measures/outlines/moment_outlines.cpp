@@ -13,6 +13,7 @@
 #include "core/city/footprints/triangulate.h"
 #include "core/city/meshes/mesh_topology.h"
 #include "core/city/terrain/building_ground.h"
+#include "core/describe/text.h"
 #include "core/engines/common/changed_buildings.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/projected/casters/shadow_casters.h"
@@ -163,7 +164,7 @@ std::vector<ConvexPolygon> LevelOutliner::project(const Group& group, const SunS
 
 Result<ShadowOutlines> LevelOutliner::outline(const SunStep& step, Progress& progress,
                                               const std::stop_token& stop) const {
-    progress.report(0, "projecting shadows");
+    progress.report(0, NM_TEXT("projecting shadows"));
     const ProjectedShadowPolygons polygons{project(common_, step, stop), project(baseline_, step, stop),
                                            project(scenario_, step, stop)};
     if (stop.stop_requested()) return cancelled();

@@ -9,6 +9,7 @@
 
 #include "core/city/footprints/geos_shapes.h"
 #include "core/city/footprints/repair_footprint.h"
+#include "core/describe/text.h"
 
 namespace noonmark {
 
@@ -201,7 +202,7 @@ Result<ShadowOutlines> joinShadows(const ProjectedShadowPolygons& polygons,
     tbb::parallel_for(std::size_t{0}, contexts.size(), [&](std::size_t tile) {
         if (stop.stop_requested()) return;
         tiles[tile] = shadows.join(contexts[tile], tile);
-        progress.report(double(++done) / double(contexts.size()), "joining shadows");
+        progress.report(double(++done) / double(contexts.size()), NM_TEXT("joining shadows"));
     });
     if (stop.stop_requested()) return cancelled();
     std::array<Result<std::vector<Footprint>>, 3> joined;

@@ -9,6 +9,7 @@
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
 #include "core/city/trees/tree.h"
+#include "core/describe/text.h"
 #include "core/geo/frame.h"
 #include "core/review/glazing/glazing_review.h"
 #include "core/study/review_study.h"
@@ -66,7 +67,7 @@ Result<void> reviewAll(const GlazingScene& scene, GlazingStudy& study, Progress&
         study.windows[i] = reviewGroup(scene, scene.groups[i]);
         study.places[i] =
             placeOf(scene.city, glm::dvec3(scene.placed.receivers.points.positions[scene.groups[i].front()]));
-        progress.report(double(++done) / double(count), "evaluating windows");
+        progress.report(double(++done) / double(count), NM_TEXT("evaluating windows"));
     });
     if (stop.stop_requested()) return cancelled();
     return {};

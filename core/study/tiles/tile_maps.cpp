@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/describe/text.h"
 #include "core/engines/shade_trees.h"
 
 namespace noonmark {
@@ -116,7 +117,7 @@ Result<void> assembleMap(const TilePlan& plan, const TileFiles& tiles, const Fra
     if (!writer) return tl::make_unexpected(writer.error());
     for (std::size_t number = 0; number < plan.count(); ++number) {
         if (stop.stop_requested()) return cancelled();
-        progress.report(double(number) / double(plan.count()), "writing the map");
+        progress.report(double(number) / double(plan.count()), NM_TEXT("writing the map"));
         const auto found = tiles.find(number);
         auto copied =
             copyTile(*writer, plan.tile(number), found == tiles.end() ? std::nullopt : found->second, map);

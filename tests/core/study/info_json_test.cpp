@@ -80,10 +80,9 @@ TEST(InfoJson, CountsWhatReadingChanged) {
     EXPECT_EQ(describeChanges({}), "nothing");
     const std::string text = summariseReading(read);
     EXPECT_TRUE(text.starts_with("GeoJSON (WGS 84, as the file states), ")) << text;
-    EXPECT_NE(
-        text.find("United States. 2 buildings of 3 parts, up to 40.0 m high, on flat ground. Changed in "
-                  "reading: 2 repaired"),
-        std::string::npos)
+    EXPECT_NE(text.find("United States. Buildings: 2, parts: 3, up to 40 m high. On flat ground. Changed in "
+                        "reading: 2 repaired"),
+              std::string::npos)
         << text;
 }
 
@@ -142,20 +141,21 @@ TEST(AssumedHeights, AreCountedInJsonWithTheFieldsOfTheOthers) {
     EXPECT_EQ(heights["fields"][0]["meaning"], "base of the roof");
     EXPECT_EQ(heights["fields"][0]["unit"], "m");
     EXPECT_EQ(heights["could_be"][0]["high"], 41);
-    EXPECT_EQ(
-        makeAssumedHeightsMessage(countHeights(read.city), read.heights),
-        "1 of 4 heights are assumed (9.6 m). Fields that could hold heights or storeys: H_BAT (2.5 to 41 "
-        "in 4 features)");
+    const auto said = describeHeights(countHeights(read.city), read.heights);
+    ASSERT_EQ(said.size(), 2U);
+    EXPECT_EQ(formatText(said[0]), "1 of 4 heights are assumed (9.6 m)");
+    EXPECT_EQ(formatText(said[1]),
+              "Fields that could hold heights or storeys: H_BAT (2.5 to 41 in 4 features)");
 }
 
 TEST(BaseFits, ComeBackFromTheirJsonAndMakeAHeadline) {
     HeightFacts facts;
     facts.bases = {{"a.obj", 12, -20.5, 0.25, StandRule::shifted, 1, 2}, {"b.shp", 3, 0.5, 0.25}};
     EXPECT_EQ(parseHeightFacts(heightFactsJson(facts).dump()), facts);
-    EXPECT_EQ(
-        makeStandHeadline(facts),
-        "a.obj: bases 20.5 m below the terrain (median of 12, spread 0.2 m); all were shifted onto it; 2 "
-        "far from that gap were set down by themselves; 1 stay above the ground");
+    EXPECT_EQ(makeStandHeadline(facts),
+              "Bases of a.obj lie 20.5 m below the terrain (median of 12, spread 0.2 m); all were shifted "
+              "onto it; 2 "
+              "far from that gap were set down by themselves; 1 stay above the ground");
     facts.bases.erase(facts.bases.begin());
     EXPECT_EQ(makeStandHeadline(facts), std::nullopt);
 }

@@ -3,20 +3,25 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QDirIterator>
 #include <QDockWidget>
 #include <QFile>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QSet>
 #include <QTranslator>
 #include <clocale>
 #include <map>
 
 #include "app/gui/base/looks/language.h"
 #include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
+#include "app/gui/session/study/region_text.h"
 #include "app/input/all_engines.h"
 #include "core/receivers/roof_receivers.h"
+#include "core/review/library/rule_library.h"
 #include "tests/gui/answers_window.h"
 #include "tests/gui/translation_messages.h"
 
@@ -133,6 +138,94 @@ TEST_F(Languages, ChoicesOfCoreAreTranslated) {
     use(Language::german);
     for (const auto& choice : receiverPlaceChoices)
         EXPECT_NE(noonmark::translated(choice.label), QString::fromUtf8(choice.label.data())) << choice.label;
+}
+
+// Texts of the marks NM_TEXT("...") in a source, without quotes within them.
+QStringList markedTexts(const QString& source) {
+    static const QRegularExpression mark(QStringLiteral(R"re(NM_TEXT\(\s*((?:"[^"\\]*"\s*)+)\))re")),
+        part(QStringLiteral(R"re("([^"\\]*)")re"));
+    QStringList texts;
+    for (auto at = mark.globalMatch(source); at.hasNext();) {
+        QString text;
+        for (auto one = part.globalMatch(at.next().captured(1)); one.hasNext();)
+            text += one.next().captured(1);
+        texts << text;
+    }
+    return texts;
+}
+
+TEST_F(Languages, WhatCoreMarksIsAmongTheMessages) {
+    QSet<QString> known;
+    for (const Message& message : readMessages(Language::german)) known.insert(message.source);
+    int marks = 0;
+    for (const char* folder : {"core", "scenarios", "render", "app/gui", "app/report", "app/questions"})
+        for (QDirIterator files(QString::fromStdString(tests::sourceFile(folder).string()),
+                                {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files,
+                                QDirIterator::Subdirectories);
+             files.hasNext();) {
+            QFile file(files.next());
+            ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+            for (const QString& text : markedTexts(QString::fromUtf8(file.readAll()))) {
+                ++marks;
+                EXPECT_TRUE(known.contains(text))
+                    << file.fileName().toStdString() << ": " << text.toStdString();
+            }
+        }
+    EXPECT_GT(marks, 600);
+}
+
+TEST_F(Languages, MarksWithinClassesAreFound) {
+    use(Language::german);
+    EXPECT_EQ(noonmark::translated("Shadow by place"), QStringLiteral("Schatten nach Ort"));
+    EXPECT_EQ(noonmark::translated("tracing rays through trees"),
+              QStringLiteral("verfolgt Strahlen durch Bäume"));
+    EXPECT_EQ(noonmark::translated("a.osm.pbf"), QStringLiteral("a.osm.pbf"));
+}
+
+TEST_F(Languages, NamesThatTheProgramGivesAreTranslatedAndThoseOfUsersStay) {
+    use(Language::german);
+    EXPECT_EQ(scenarioName("Existing"), QStringLiteral("Bestand"));
+    EXPECT_EQ(scenarioName("Study of Existing"), QStringLiteral("Study of Existing"));
+    EXPECT_EQ(placeName("Rue Grimaldi, Rue Baron to Place d'Armes, sidewalks (2)"),
+              QStringLiteral("Rue Grimaldi, Rue Baron bis Place d'Armes, Gehwege (2)"));
+    EXPECT_EQ(placeName("Main Street, north of 2nd Avenue"),
+              QStringLiteral("Main Street, nördlich von 2nd Avenue"));
+    EXPECT_EQ(placeName("street (OSM way 12 and 3 more)"),
+              QStringLiteral("Straße (OSM way 12 und 3 weitere)"));
+    EXPECT_EQ(placeName("Lurie Garden"), QStringLiteral("Lurie Garden"));
+    EXPECT_EQ(ruleName("Four days, three hours"), QStringLiteral("4 Tage, 3 Uhrzeiten"));
+    EXPECT_EQ(ruleName("Rule of our town"), QStringLiteral("Rule of our town"));
+}
+
+TEST_F(Languages, RulesAndTheirCountriesHaveWords) {
+    QSet<QString> known;
+    for (const Message& message : readMessages(Language::german))
+        if (message.context == QStringLiteral("Rule")) known.insert(message.source);
+    const RuleLibrary library = RuleLibrary::load().value();
+    for (const RuleGroup& group : groupByCountry(library.rules(), {})) {
+        EXPECT_TRUE(known.contains(QString::fromStdString(group.name))) << group.name;
+        for (const Rule* rule : group.rules)
+            EXPECT_TRUE(known.contains(QString::fromStdString(rule->name))) << rule->name;
+    }
+}
+
+TEST_F(Languages, PeriodsAreStatedInTheLanguageAlsoWhereTheyWereSaved) {
+    use(Language::german);
+    EXPECT_EQ(periodText(std::string("2026-06-21, 1 day, 09:00 for 6 h, every 1 min, Europe/Berlin")),
+              QStringLiteral("21. Juni 2026, 09:00 bis 15:00, alle 1 min, Europe/Berlin"));
+    EXPECT_EQ(
+        periodText(std::string("2026-06-21, 1 day, sunrise..sunset, every 0.5 min, UTC, no refraction")),
+        QStringLiteral(
+            "21. Juni 2026, Sonnenaufgang bis Sonnenuntergang, alle 0,5 min, UTC, ohne Refraktion"));
+    EXPECT_EQ(periodText(std::string("of another version")), QStringLiteral("of another version"));
+    const Period moment{.hours = 0};
+    EXPECT_EQ(periodText(formatText(moment)), periodText(moment));
+}
+
+TEST_F(Languages, ButtonsOfQtSpeakTheLanguageWithoutItsOwnTranslations) {
+    use(Language::german);
+    EXPECT_EQ(QCoreApplication::translate("QPlatformTheme", "&Yes"), QStringLiteral("&Ja"));
+    EXPECT_EQ(QCoreApplication::translate("QUndoStack", "Undo %1"), QStringLiteral("Rückgängig: %1"));
 }
 
 TEST_F(Languages, ErrorsOfTheWindowAreTranslatedAndThoseOfCoreStay) {

@@ -48,7 +48,7 @@ TEST_F(ToyQuestion, IsShownWithItsFigures) {
     EXPECT_EQ(rows[0].meaning, QStringLiteral("By a toy"));
     EXPECT_EQ(rows[0].value.toInt(), int(session().city()->buildings.size()));
     const auto answer = workbench().answer();
-    EXPECT_EQ(viewerOf(*answer).title(*answer), QStringLiteral("Toy of Existing"));
+    EXPECT_EQ(titleOf(*answer), QStringLiteral("Toy of Existing"));
 }
 
 TEST_F(ToyQuestion, IsExported) {

@@ -102,7 +102,7 @@ TEST_F(OpeningWindow, SaysAtAGlanceWhatWasRead) {
         << message().toStdString();
     EXPECT_TRUE(message().contains(QStringLiteral("GeoJSON (WGS 84, as the file states), ")))
         << message().toStdString();
-    EXPECT_TRUE(message().contains(QStringLiteral("1 building of 1 part, up to ")))
+    EXPECT_TRUE(message().contains(QStringLiteral("Buildings: 1, parts: 1, up to ")))
         << message().toStdString();
 }
 

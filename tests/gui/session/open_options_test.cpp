@@ -203,7 +203,7 @@ TEST_F(OpenOptionsTest, AFileWithoutAPlaceOffersTheOptionsAndTheyOpenIt) {
     EXPECT_FALSE(options->isVisible());
     ASSERT_TRUE(waitFor([this] { return window.workbench().city() != nullptr; }));
     EXPECT_EQ(fieldsOf(window.workbench().city()->loaded.settings.value()), fieldsOf(stated()));
-    EXPECT_TRUE(message().contains(QStringLiteral("1 building")))
+    EXPECT_TRUE(message().contains(QStringLiteral("Buildings: 1")))
         << message().toStdString() << ": what was read";
 }
 

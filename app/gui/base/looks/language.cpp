@@ -14,6 +14,18 @@ namespace {
 const QString languageKey = QStringLiteral("language");
 const QString translatorName = QStringLiteral("noonmarkTranslator");
 
+// What Qt writes on buttons and in menus, for systems without Qt's own translations.
+[[maybe_unused]] constexpr const char* wordsOfQt[] = {
+    QT_TRANSLATE_NOOP("QPlatformTheme", "OK"),    QT_TRANSLATE_NOOP("QPlatformTheme", "Save"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Open"),  QT_TRANSLATE_NOOP("QPlatformTheme", "&Yes"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "&No"),   QT_TRANSLATE_NOOP("QPlatformTheme", "Cancel"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Close"), QT_TRANSLATE_NOOP("QPlatformTheme", "Discard"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Apply"), QT_TRANSLATE_NOOP("QPlatformTheme", "Reset"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Help"),  QT_TRANSLATE_NOOP("QPlatformTheme", "Retry"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Abort"), QT_TRANSLATE_NOOP("QPlatformTheme", "Ignore"),
+    QT_TRANSLATE_NOOP("QUndoStack", "Undo %1"),   QT_TRANSLATE_NOOP("QUndoStack", "Redo %1"),
+    QT_TRANSLATE_NOOP("QUndoStack", "Undo"),      QT_TRANSLATE_NOOP("QUndoStack", "Redo")};
+
 const LanguageEntry& entryOf(Language language) {
     return *std::find_if(languages.begin(), languages.end(),
                          [&](const LanguageEntry& entry) { return entry.language == language; });

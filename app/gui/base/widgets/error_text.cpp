@@ -1,10 +1,12 @@
 #include "app/gui/base/widgets/error_text.h"
 
+#include <QCoreApplication>
 #include <QObject>
 #include <QStringList>
 #include <algorithm>
 
 #include "core/base/safe_text.h"
+#include "generated/translation_contexts.h"
 
 namespace noonmark {
 
@@ -77,25 +79,28 @@ namespace {
     QT_TRANSLATE_NOOP("Error", "Some scenarios could not be computed"),
     QT_TRANSLATE_NOOP("Error", "The dock Scenarios says why in the row of each")};
 
-// Texts of the window, and those that core marks by NM_TEXT; others stay English.
-std::string translateErrorWord(const std::string& english) {
-    if (english.empty()) return english;
-    const std::string found = QCoreApplication::translate("Error", english.c_str()).toStdString();
-    return found == english ? translated(english).toStdString() : found;
-}
-
 // Of nameOf(WarningKind), which lies below the macro of core.
 [[maybe_unused]] constexpr const char* warningKinds[] = {
     QT_TRANSLATE_NOOP("noonmark", "repaired"), QT_TRANSLATE_NOOP("noonmark", "clipped"),
-    QT_TRANSLATE_NOOP("noonmark", "dropped"), QT_TRANSLATE_NOOP("noonmark", "left out"),
-    QT_TRANSLATE_NOOP("noonmark", "assumed")};
+    QT_TRANSLATE_NOOP("noonmark", "dropped"),  QT_TRANSLATE_NOOP("noonmark", "left out"),
+    QT_TRANSLATE_NOOP("noonmark", "assumed"),  QT_TRANSLATE_NOOP("noonmark", "duplicates")};
 
 }  // namespace
 
+QString translated(std::string_view text) {
+    if (text.empty()) return {};
+    const std::string source(text);
+    const QString english = QString::fromStdString(source);
+    for (const char* context : translationContexts)
+        if (QString found = QCoreApplication::translate(context, source.c_str()); found != english)
+            return found;
+    return english;
+}
+
 QString describeError(const Error& error) {
     Error local = error;
-    local.what = translateErrorWord(error.what);
-    local.advice = translateErrorWord(error.advice);
+    local.what = translated(error.what).toStdString();
+    local.advice = translated(error.advice).toStdString();
     return QString::fromStdString(local.text());
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QCoreApplication>
 #include <QString>
 #include <string>
 #include <string_view>
@@ -12,14 +11,9 @@
 
 namespace noonmark {
 
-/// A text that core marks by NM_TEXT, in the user's language. lupdate takes the lists of core that are a
-/// std::array, and functions that return a std::string_view, for parts of `std`.
-inline QString translated(std::string_view text) {
-    const std::string source(text);
-    const QString found = QCoreApplication::translate("noonmark", source.c_str());
-    return found == QString::fromStdString(source) ? QCoreApplication::translate("std", source.c_str())
-                                                   : found;
-}
+/// A text that core marks by NM_TEXT, in the user's language. lupdate puts it into the context of the class
+/// around the mark; of several translations that of a free function comes first.
+QString translated(std::string_view text);
 
 /// The same as a sentence of its own: with a capital, and the sign of multiplication for an x.
 inline QString translatedSentence(std::string_view text) {

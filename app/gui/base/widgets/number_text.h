@@ -59,6 +59,11 @@ QString longDate();   ///< "21 March 2026"
 /// "1 June 2026 to 31 August 2026, sunrise to sunset", "21 December 2026, 12:00".
 QString describeWhen(const Period& period);
 
+/// The same with its step and zone: "21 March 2026, 09:00 to 15:00, every 1 min, Europe/Berlin".
+QString periodText(const Period& period);
+/// The same of a text of formatText(Period), as answers and projects state it; another text stays as it is.
+QString periodText(const std::string& stated);
+
 /// "+" before the text of a value above zero, but not where it states zero as rounded.
 QString withPlus(double value, const QString& text);
 

@@ -186,7 +186,8 @@ void ProgressStrip::begin(Running now, const Job& job, const QString& what) {
     const JobSlot& slot = *now.slot;
     std::erase_if(running_, [&](const Running& one) { return one.slot == &slot; });
     connect(&job, &Job::progressed, this, [this, &slot, what](double fraction, const QString& stage) {
-        take(slot, fraction, QStringLiteral("%1, %2 %: %3").arg(what).arg(int(fraction * 100)).arg(stage));
+        take(slot, fraction,
+             QStringLiteral("%1, %2 %: %3").arg(what).arg(int(fraction * 100)).arg(translated(stage.toStdString())));
     });
     const bool isFirst = running_.empty();
     const bool waits = now.jobs == Jobs::often;

@@ -7,6 +7,7 @@
 #include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/docks/contributions/contributions_dock.h"
 #include "app/gui/session/answers/answer_viewer.h"
+#include "app/gui/session/study/region_text.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/editing/edit_tools.h"
 #include "app/gui/view/panel/view_panel.h"
@@ -241,7 +242,7 @@ void ContributionLinks::attribute() {
     const auto place = subject();
     if (!study_ || !place) return;
     working_.start<PlaceContributions>(
-        tr("Attributing the shadow of %1").arg(QString::fromStdString(place->name)),
+        tr("Attributing the shadow of %1").arg(placeName(place->name)),
         [study = study_, place = *place](Progress& progress, std::stop_token stop) {
             return computePlaceContributions(*study, place, progress, std::move(stop),
                                              enginesWith(study->settings.engine));

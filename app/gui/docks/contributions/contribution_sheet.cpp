@@ -6,6 +6,7 @@
 
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "core/describe/figure_text.h"
@@ -145,7 +146,7 @@ QString describeChange(const ImpactAnswer& answer, double meanMin, std::size_t c
                             pluralNumber(cells))
               : QObject::tr("%1 compared with %2: %3 min a day in shadow, mean over %4 cell(s).", "",
                             pluralNumber(cells));
-    return text.arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from),
+    return text.arg(scenarioName(answer.to), scenarioName(answer.from),
                     withPlus(shown, formatAmount(shown, 2)), formatCount(cells));
 }
 
@@ -177,7 +178,7 @@ ContributionSheet makeContributionSheet(const Study& study, const PlaceContribut
     const QString itself = describeTime(of.studyMinM2 / cellDays, study.field.sunlitMinutesPerDay, show);
     sheet.note = QObject::tr("%1 cell(s); in the study itself %2.", "", pluralNumber(of.cells))
                      .arg(formatCount(of.cells), itself) +
-                 QLatin1Char(' ') + QString::fromStdString(formatText(of.period));
+                 QLatin1Char(' ') + periodText(of.period);
     sheet.method =
         QObject::tr("Attributed by: %1\nThe study: %2")
             .arg(QString::fromStdString(of.breakdown.engine), QString::fromStdString(study.field.engine));

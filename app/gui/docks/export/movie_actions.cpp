@@ -6,6 +6,7 @@
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/time_display.h"
@@ -132,11 +133,10 @@ MovieChoice MovieActions::firstChoice() const {
     first.date = look.date;
     first.at = look.at;
     const ProjectSession& session = workbench_.session();
-    const QString scenario = QString::fromStdString(session.scenario());
-    const QString title =
-        workbench_.comparing()
-            ? tr("%1 compared with %2").arg(scenario, QString::fromStdString(session.baseline()))
-            : tr("Shadow: %1").arg(scenario);
+    const QString scenario = scenarioName(session.scenario());
+    const QString title = workbench_.comparing()
+                              ? tr("%1 compared with %2").arg(scenario, scenarioName(session.baseline()))
+                              : tr("Shadow: %1").arg(scenario);
     first.title = title.toStdString();
     return first;
 }

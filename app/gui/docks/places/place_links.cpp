@@ -72,7 +72,9 @@ void PlaceLinks::keep(std::shared_ptr<const SunOfCities> sun) {
 }
 
 QString PlaceLinks::nameOfKept() const {
-    return QString::fromStdString(kept_.measured ? kept_.measured->name() : kept_.saved);
+    if (kept_.measured) return shownName(*kept_.measured);
+    const auto result = findResult(workbench_.session().project(), kept_.saved);
+    return result ? shownName(**result) : QString::fromStdString(kept_.saved);
 }
 
 void PlaceLinks::showKept() {

@@ -19,10 +19,7 @@ namespace {
 constexpr std::string_view enoughKey = "share_enough", meanKey = "hours_mean", minKey = "hours_min",
                            maxKey = "hours_max";
 
-QString nameOf(const CivilDate& date) {
-    return QLocale().toString(QDate(int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))),
-                              QStringLiteral("d MMM"));
-}
+QString nameOf(const CivilDate& date) { return QLocale().toString(dateOf(date), shortDay()); }
 
 PlaceSunModel::FigureColumn::Above summaryOf(const Figure& figure) {
     using Above = PlaceSunModel::FigureColumn::Above;
@@ -435,7 +432,7 @@ int PlaceSunModel::columnCount(const QModelIndex&) const { return firstFigure + 
 QString PlaceSunModel::textOf(const Node& node, int column) const {
     if (column == kind) return describeKind(node.kind);
     if (column == remarks) return node.place ? describeRemarks(shownCity(*sun_).sun[*node.place]) : QString();
-    return node.place ? QString::fromStdString(sun_->baseline.places[*node.place].name) : node.text;
+    return node.place ? placeName(sun_->baseline.places[*node.place].name) : node.text;
 }
 
 QVariant PlaceSunModel::data(const QModelIndex& index, int role) const {

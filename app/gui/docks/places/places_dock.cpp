@@ -52,10 +52,7 @@ bool knowsCells(const SunByPlace& sun) {
     return std::ranges::any_of(sun.sun, [](const SunOfPlace& of) { return !of.ofCells.empty(); });
 }
 
-QString longNameOf(const CivilDate& date) {
-    return QLocale().toString(QDate(int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))),
-                              QStringLiteral("d MMMM yyyy"));
-}
+QString longNameOf(const CivilDate& date) { return QLocale().toString(dateOf(date), longDate()); }
 
 QComboBox* listField(const char* name, const QString& tip) {
     auto* list = new QComboBox;
@@ -628,7 +625,7 @@ Legend PlacesDock::legendOf(const ColourScale& scale, const ShownSun& shown) con
 QString PlacesDock::describeAt(glm::dvec2 point, const ShownSun& shown, const std::string& scenario) const {
     const auto place = picture_.placeAt(point);
     if (!place || !model_->sun()) return {};
-    const QString name = QString::fromStdString(model_->sun()->baseline.places[*place].name);
+    const QString name = placeName(model_->sun()->baseline.places[*place].name);
     const double hours = hoursOf(*model_->sun(), scenario, *place, shown);
     if (std::isnan(hours)) return tr("%1: no cell on open ground").arg(name);
     if (!model_->showsSun(shown)) {
@@ -685,7 +682,9 @@ void PlacesDock::describeCount() {
         counts = tr("%1: %2 of %3").arg(describeKinds(*kind), formatCount(below), formatCount(measured));
     QString counted = describeLimit(counts, what);
     if (model_->showsSunOnly(what)) counted = tr("%1. A saved answer states its dates as sun").arg(counted);
-    if (trees_->count() > 1) counted = tr("%1, %2").arg(counted, trees_->currentText().toLower());
+    if (trees_->count() > 1)
+        counted =
+            tr("%1, %2").arg(counted, translated(describeTrees(TreeColumns(trees_->currentData().toInt()))));
     const double enough = sun->baseline.settings.enoughHours;
     const bool isOfAnother =
         what.what != ShownSun::What::change && !knowsCells(sun->baseline) && threshold_->value() != enough;

@@ -19,6 +19,7 @@
 #include <numeric>
 
 #include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/point/point_inspector.h"
 #include "app/report/skyline/skyline_svg.h"
@@ -104,18 +105,17 @@ void fillScenarios(QComboBox& list, const QString& standard, const QStringList& 
     const QSignalBlocker quiet(list);
     list.clear();
     list.addItem(standard);
-    list.addItems(names);
-    const qsizetype chosen = now.empty() ? -1 : names.indexOf(QString::fromStdString(now));
-    list.setCurrentIndex(int(chosen) + 1);
+    for (const QString& name : names) list.addItem(scenarioName(name.toStdString()), name);
+    list.setCurrentIndex(now.empty() ? 0 : std::max(0, list.findData(QString::fromStdString(now))));
 }
 
 std::string chosenIn(const QComboBox& list) {
-    return list.currentIndex() <= 0 ? std::string() : list.currentText().toStdString();
+    return list.currentIndex() <= 0 ? std::string() : list.currentData().toString().toStdString();
 }
 
 QStringList textsOf(const PointCaseFigures& figures, double firstYearMin, bool wall) {
     const double change = (figures.yearMin - firstYearMin) / 60;
-    return {QString::fromStdString(figures.name), groupDigits(figures.dayMin, 0),
+    return {scenarioName(figures.name),           groupDigits(figures.dayMin, 0),
             groupDigits(figures.yearMin / 60, 0), withPlus(change, groupDigits(change, 1)),
             groupDigits(figures.skyView, 3),      wall ? groupDigits(figures.skyComponentPct, 1) : QString()};
 }

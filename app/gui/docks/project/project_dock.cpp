@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/docks/project/project_model.h"
 #include "app/gui/session/project/project_session.h"
@@ -310,7 +311,7 @@ void ProjectDock::addScenarioActions(QMenu& menu, const std::string& name) {
     menu.addAction(tr("&New scenario from this"), this, [this, name] { addScenario(name); });
     QMenu& bases = *menu.addMenu(tr("&Starts from"));
     const auto offer = [&](const std::string& base) {
-        bases.addAction(QString::fromStdString(base), this, [this, name, base] {
+        bases.addAction(scenarioName(base), this, [this, name, base] {
             session_.change(rebase(session_.project(), name, base),
                             tr("change base of %1").arg(QString::fromStdString(name)));
         });

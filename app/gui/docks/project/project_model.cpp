@@ -4,7 +4,9 @@
 #include <QObject>
 #include <algorithm>
 
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/project/project_session.h"
 #include "app/gui/session/study/region_text.h"
 #include "app/report/sheets/study_text.h"
@@ -33,9 +35,9 @@ ProjectNode& addGroup(ProjectNode& root, ProjectPart part, const QString& text, 
     return added(root, {.kind = Kind::group, .part = part, .text = title, .tip = tip});
 }
 
-ProjectNode& addPart(ProjectNode& group, const std::string& name, const QString& about = {},
-                     const QString& tip = {}) {
-    const QString text = about.isEmpty() ? qtText(name) : QStringLiteral("%1   %2").arg(qtText(name), about);
+ProjectNode& addPart(ProjectNode& group, const std::string& name, const QString& shown,
+                     const QString& about = {}, const QString& tip = {}) {
+    const QString text = about.isEmpty() ? shown : QStringLiteral("%1   %2").arg(shown, about);
     return added(group, {.kind = Kind::part, .part = group.part, .name = name, .text = text, .tip = tip});
 }
 
@@ -59,10 +61,10 @@ void addCity(ProjectNode& root, const Project& project) {
 
 void addScenario(ProjectNode& group, const Scenario& scenario, bool shown, bool baseline) {
     QStringList notes;
-    if (!scenario.base.empty()) notes << QObject::tr("from %1").arg(qtText(scenario.base));
+    if (!scenario.base.empty()) notes << QObject::tr("from %1").arg(scenarioName(scenario.base));
     if (baseline) notes << QObject::tr("baseline");
     ProjectNode& node =
-        addPart(group, scenario.name,
+        addPart(group, scenario.name, scenarioName(scenario.name),
                 notes.isEmpty() ? QString() : QStringLiteral("(%1)").arg(notes.join(QStringLiteral(", "))),
                 QObject::tr("Press Enter or double-click to show it"));
     node.emphasized = shown;
@@ -92,7 +94,7 @@ void addLots(ProjectNode& root, const Project& project) {
     ProjectNode& group = addGroup(root, ProjectPart::lot, QObject::tr("Lots"), project.lots.size(),
                                   QObject::tr("Ground to build on"));
     for (const NamedLot& lot : project.lots)
-        addPart(group, lot.name,
+        addPart(group, lot.name, qtText(lot.name),
                 lot.roads.empty() ? describeArea(area(lot.outline))
                                   : QObject::tr("%1, roads: %2")
                                         .arg(describeArea(area(lot.outline)),
@@ -104,7 +106,7 @@ void addRegions(ProjectNode& root, const Project& project) {
     ProjectNode& group = addGroup(root, ProjectPart::region, QObject::tr("Regions"), project.regions.size(),
                                   QObject::tr("Where shadow is measured"));
     for (const Region& region : project.regions)
-        addPart(group, region.name, describeArea(area(region)),
+        addPart(group, region.name, qtText(region.name), describeArea(area(region)),
                 QObject::tr("Press Enter or double-click to use it as the study region"));
 }
 
@@ -114,7 +116,7 @@ void addPlaces(ProjectNode& root, const Project& project) {
                  QObject::tr("Areas whose sunlight matters: parks, playgrounds, school grounds..."));
     for (const Place& place : project.places)
         addPart(
-            group, place.name,
+            group, place.name, placeName(place.name),
             QObject::tr("%1, %2").arg(describeKind(place.kind), describeArea(noonmark::area(place))),
             QObject::tr("%1\nPress Enter or double-click to zoom to it").arg(qtText(place.source)).trimmed());
 }
@@ -123,9 +125,9 @@ void addPeriods(ProjectNode& root, const Project& project) {
     ProjectNode& group = addGroup(root, ProjectPart::period, QObject::tr("Periods"), project.periods.size(),
                                   QObject::tr("Days and hours to study"));
     for (const NamedPeriod& period : project.periods)
-        addPart(group, period.name, {},
+        addPart(group, period.name, qtText(period.name), {},
                 QObject::tr("%1\nPress Enter or double-click to use it as the study period")
-                    .arg(qtText(noonmark::formatText(period.period))));
+                    .arg(describeWhen(period.period)));
 }
 
 QString describeView(const SavedView& view) {
@@ -142,7 +144,7 @@ void addViews(ProjectNode& root, const Project& project) {
         addGroup(root, ProjectPart::view, QObject::tr("Views"), project.views.size(),
                  QObject::tr("Camera, projection, section box and moment, saved with Ctrl+Shift+V"));
     for (const SavedView& view : project.views)
-        addPart(group, view.name, {},
+        addPart(group, view.name, qtText(view.name), {},
                 QObject::tr("%1\nPress Enter or double-click to go to it").arg(describeView(view)));
 }
 
@@ -152,7 +154,7 @@ void addWeights(ProjectNode& root, const Project& project) {
         QObject::tr("How much shade is wanted (up to 1) or shadow unwanted (down to -1), by time of year"));
     for (const TimeWeights& table : project.weights) {
         ProjectNode& node =
-            addPart(group, table.name, {},
+            addPart(group, table.name, qtText(table.name), {},
                     QObject::tr("Press Enter or double-click to edit it and compute scores with it"));
         for (const WeightedInterval& interval : table.intervals)
             addFact(node, QStringLiteral("%1   %2").arg(qtText(interval.name)).arg(interval.weight));
@@ -164,11 +166,11 @@ void addResults(ProjectNode& root, const Project& project) {
         addGroup(root, ProjectPart::result, QObject::tr("Saved results"), project.results.size(),
                  QObject::tr("Maps and figures saved in the project"));
     for (const auto& result : project.results) {
-        const QString of =
-            result->baseline.empty()
-                ? qtText(result->scenario)
-                : QObject::tr("%1 compared with %2").arg(qtText(result->scenario), qtText(result->baseline));
-        addPart(group, result->name, {},
+        const QString of = result->baseline.empty()
+                               ? scenarioName(result->scenario)
+                               : QObject::tr("%1 compared with %2")
+                                     .arg(scenarioName(result->scenario), scenarioName(result->baseline));
+        addPart(group, result->name, shownName(*result), {},
                 QObject::tr("%1 of %2\nPress Enter or double-click to show it again")
                     .arg(qtText(result->kind), of));
     }

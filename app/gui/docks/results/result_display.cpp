@@ -202,12 +202,12 @@ void ResultDisplay::listAnswers() {
     };
     const auto measured = workbench_.measured();
     for (auto one = measured.rbegin(); one != measured.rend(); ++one)
-        list(QString::fromStdString((*one)->name()), *one == workbench_.measuredShown(),
-             workbench_.isOutdated(**one), [this, one = *one] { workbench_.showMeasured(*one); });
+        list(shownName(**one), *one == workbench_.measuredShown(), workbench_.isOutdated(**one),
+             [this, one = *one] { workbench_.showMeasured(*one); });
     const std::string saved = workbench_.savedName();
     for (const auto& result : workbench_.session().project().results)
-        list(tr("Saved: %1").arg(QString::fromStdString(result->name)), result->name == saved,
-             workbench_.isOutdated(*result), [this, result] { showNamed(result->name); });
+        list(tr("Saved: %1").arg(shownName(*result)), result->name == saved, workbench_.isOutdated(*result),
+             [this, result] { showNamed(result->name); });
     places_.figures.setAnswers(names, shown);
 }
 

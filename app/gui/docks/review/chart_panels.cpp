@@ -13,6 +13,7 @@
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_text.h"
+#include "app/gui/session/study/region_text.h"
 #include "app/report/charts/chart_axes.h"
 
 namespace noonmark {
@@ -119,7 +120,7 @@ void DayPanel::show(std::shared_ptr<const ReviewAnswer> answer, std::size_t revi
 
 void DayPanel::compute() {
     if (!answer_) return;
-    title_->setText(QString::fromStdString(answer_->study.places[review_].name));
+    title_->setText(placeName(answer_->study.places[review_].name));
     working_.start<ReviewDay>(
         tr("Timeline"),
         [answer = answer_, review = review_, day = civilOf(day_->date())](Progress& progress,
@@ -212,7 +213,7 @@ void RangePanel::show(std::shared_ptr<const ReviewAnswer> answer, std::size_t re
     clear(tr("Computing..."));
     answer_ = std::move(answer);
     review_ = review;
-    title_->setText(QString::fromStdString(answer_->study.places[review_].name));
+    title_->setText(placeName(answer_->study.places[review_].name));
     if (isVisible()) compute();
 }
 

@@ -12,6 +12,7 @@
 #include <array>
 #include <set>
 
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/review/glazing/verdict_links.h"
 #include "app/gui/docks/review/verdict_table.h"
@@ -104,9 +105,8 @@ void PlaceList::show(const std::vector<Place>& places, const ReviewChoice& choic
     for (std::size_t i = 0; i < ordered.size(); ++i) {
         const Place& place = *ordered[i];
         QListWidgetItem& item = *list_->item(int(i));
-        const QString name = QString::fromStdString(place.name);
-        item.setText(name);
-        item.setData(nameRole, name);
+        item.setText(placeName(place.name));
+        item.setData(nameRole, QString::fromStdString(place.name));
         item.setFlags(item.flags() | Qt::ItemIsUserCheckable);
         item.setCheckState(ticked.contains(place.name) ? Qt::Checked : Qt::Unchecked);
         QString tip = tr("%1, %2").arg(describeKind(place.kind), describeArea(area(place)));
@@ -190,7 +190,7 @@ Verdict worstOf(const ReviewAnswer& answer, const ColouredPlace& place) {
 Legend makeVerdictLegend(const ReviewAnswer& answer) {
     Legend legend;
     legend.title = QStringLiteral(NM_TEXT("Verdicts on places"));
-    legend.unit = QString::fromStdString(answer.question.rule.name);
+    legend.unit = ruleName(answer.question.rule.name);
     for (const Verdict verdict : colouredVerdicts)
         legend.classes.push_back({tileColour(verdict), QString::fromUtf8(nameOf(verdict).data())});
     return legend;
@@ -199,7 +199,7 @@ Legend makeVerdictLegend(const ReviewAnswer& answer) {
 QString describe(const ReviewAnswer& answer, const ColouredPlace& place) {
     QStringList verdicts;
     for (const std::size_t review : place.reviews) verdicts << describeVerdict(answer.study.places[review]);
-    return QObject::tr("%1   %2").arg(QString::fromStdString(place.place.name), verdicts.join(u' '));
+    return QObject::tr("%1   %2").arg(placeName(place.place.name), verdicts.join(u' '));
 }
 
 GroundPicture::Pixel verdictPixel(const QColor& colour) {
@@ -221,8 +221,8 @@ std::shared_ptr<const PlaceView> makePlaceVerdicts(const std::shared_ptr<const R
     const auto view = std::make_shared<PlaceView>();
     view->picture = painted->coloured(colours);
     view->legend = makeVerdictLegend(*answer);
-    const QString to = QString::fromStdString(answer->question.to);
-    const QString from = QString::fromStdString(answer->question.from);
+    const QString to = scenarioName(answer->question.to);
+    const QString from = scenarioName(answer->question.from);
     view->note = to == from ? QObject::tr("%1 as it stands").arg(to)
                             : QObject::tr("%1 compared with %2").arg(to, from);
     view->describe = [answer, places, painted](glm::dvec2 point) {

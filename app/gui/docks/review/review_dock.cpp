@@ -18,6 +18,7 @@
 
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/docks/review/chart_panels.h"
@@ -27,6 +28,7 @@
 #include "app/gui/docks/review/rule_form.h"
 #include "app/gui/docks/review/verdict_table.h"
 #include "app/gui/session/project/project_session.h"
+#include "app/gui/session/study/region_text.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/places/verdict_text.h"
 #include "core/study/prepare_review.h"
@@ -309,11 +311,10 @@ void ReviewDock::showGlazingState() {
                                         : describeError(question.error()));
     }
     const GlazingQuestion& asked = glazingAnswer_->question;
-    QString text = tr("<b>%1</b>: %2 compared with %3. %4")
-                       .arg(QString::fromStdString(asked.rule.name).toHtmlEscaped(),
-                            QString::fromStdString(asked.to).toHtmlEscaped(),
-                            QString::fromStdString(asked.from).toHtmlEscaped(),
-                            describeGlazingVerdicts(glazingAnswer_->study));
+    QString text =
+        tr("<b>%1</b>: %2 compared with %3. %4")
+            .arg(ruleName(asked.rule.name).toHtmlEscaped(), scenarioName(asked.to).toHtmlEscaped(),
+                 scenarioName(asked.from).toHtmlEscaped(), describeGlazingVerdicts(glazingAnswer_->study));
     if (const QString why = windows_.whyOutdated(); !why.isEmpty())
         text += QStringLiteral("<br><span style=\"color:%1\">%2</span>")
                     .arg(errorTextColour(themeInUse()).name(), why.toHtmlEscaped());
@@ -348,13 +349,12 @@ void ReviewDock::showState() {
     QString text =
         answer_->question.from == answer_->question.to
             ? tr("<b>%1</b>: %2 as it stands. %3")
-                  .arg(QString::fromStdString(study.rule.name).toHtmlEscaped(),
-                       QString::fromStdString(answer_->question.to).toHtmlEscaped(), describeVerdicts(study))
+                  .arg(ruleName(study.rule.name).toHtmlEscaped(),
+                       scenarioName(answer_->question.to).toHtmlEscaped(), describeVerdicts(study))
             : tr("<b>%1</b>: %2 compared with %3. %4")
-                  .arg(QString::fromStdString(study.rule.name).toHtmlEscaped(),
-                       QString::fromStdString(answer_->question.to).toHtmlEscaped(),
-                       QString::fromStdString(answer_->question.from).toHtmlEscaped(),
-                       describeVerdicts(study));
+                  .arg(ruleName(study.rule.name).toHtmlEscaped(),
+                       scenarioName(answer_->question.to).toHtmlEscaped(),
+                       scenarioName(answer_->question.from).toHtmlEscaped(), describeVerdicts(study));
     if (review_.isLive()) text += tr("<br><i>Follows the building being designed.</i>");
     if (const QString why = review_.whyOutdated(); !why.isEmpty())
         text += QStringLiteral("<br><span style=\"color:%1\">%2</span>")
@@ -367,7 +367,7 @@ void ReviewDock::showDetails() {
     details_->setVisible(answer_ && chosenDay_);
     if (!answer_ || !chosenDay_) return;
     const PlaceReview& place = answer_->study.places[chosen_];
-    QString text = tr("%1: %2.").arg(QString::fromStdString(place.name),
+    QString text = tr("%1: %2.").arg(placeName(place.name),
                                      localiseNumbers(QString::fromStdString(describeReason(place, units_))));
     if (!hasFewDays(answer_->question.rule)) text += u' ' + describeSums(place.totals, units_);
     details_->setText(text);
@@ -391,10 +391,10 @@ void ReviewDock::showChart() {
 void ReviewDock::showRule() {
     const auto rule = review_.rule();
     if (!rule) return about_->setPlainText(describeError(rule.error()));
-    QString html = QStringLiteral("<h3>%1</h3><p>%2</p><p><b>%3</b></p>")
-                       .arg(QString::fromStdString(rule->name).toHtmlEscaped(),
-                            QString::fromStdString(rule->summary).toHtmlEscaped(),
-                            describeStatus(*rule).toHtmlEscaped());
+    QString html =
+        QStringLiteral("<h3>%1</h3><p>%2</p><p><b>%3</b></p>")
+            .arg(ruleName(rule->name).toHtmlEscaped(), QString::fromStdString(rule->summary).toHtmlEscaped(),
+                 describeStatus(*rule).toHtmlEscaped());
     const bool same = answer_ && answer_->study.rule.key == rule->key;
     const bool ofGlazing = glazingAnswer_ && glazingAnswer_->study.rule.key == rule->key;
     html += listOf(tr("Not checked"), same        ? answer_->study.notChecked

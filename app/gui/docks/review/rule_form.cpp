@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/docks/review/verdict_table.h"
 #include "core/review/rule/rule_names.h"
 #include "core/sun/zone_country.h"
@@ -17,7 +18,7 @@ QString qtText(std::string_view text) { return QString::fromUtf8(text.data(), qs
 
 QString tipOf(const Rule& rule) {
     return QStringLiteral("<p><b>%1</b></p><p>%2</p><p>%3</p><p>%4</p>")
-        .arg(qtText(rule.where).toHtmlEscaped(), qtText(rule.summary).toHtmlEscaped(),
+        .arg(ruleName(rule.where).toHtmlEscaped(), qtText(rule.summary).toHtmlEscaped(),
              describeStatus(rule).toHtmlEscaped(), qtText(rule.source).toHtmlEscaped());
 }
 
@@ -51,7 +52,7 @@ void RuleForm::listRules() {
     for (const RuleGroup& group : groupByCountry(library_.rules(), countryOfZone(zone_))) {
         addHeading(group);
         for (const Rule* rule : group.rules) {
-            rule_->addItem(qtText(rule->name), qtText(rule->key));
+            rule_->addItem(ruleName(rule->name), qtText(rule->key));
             rule_->setItemData(rule_->count() - 1, tipOf(*rule), Qt::ToolTipRole);
         }
     }
@@ -59,7 +60,7 @@ void RuleForm::listRules() {
 
 /// A line of the list that cannot be chosen.
 void RuleForm::addHeading(const RuleGroup& group) {
-    const QString name = qtText(group.name);
+    const QString name = ruleName(group.name);
     rule_->addItem(group.isAbroad ? tr("%1 (not where the site is)").arg(name) : name);
     auto* model = qobject_cast<QStandardItemModel*>(rule_->model());
     model->item(rule_->count() - 1)->setFlags(Qt::NoItemFlags);
@@ -89,8 +90,8 @@ void RuleForm::show(const ReviewChoice& choice, const std::vector<Scenario>& sce
 void RuleForm::showScenarios(const std::vector<Scenario>& scenarios, const std::string& displayed) {
     from_->clear();
     to_->clear();
-    to_->addItem(tr("Displayed: %1").arg(qtText(displayed)), QString());
-    from_->addItem(qtText(existingCity), qtText(existingCity));
+    to_->addItem(tr("Displayed: %1").arg(scenarioName(displayed)), QString());
+    from_->addItem(scenarioName(existingCity), qtText(existingCity));
     for (const Scenario& scenario : scenarios)
         for (QComboBox* list : {from_, to_}) list->addItem(qtText(scenario.name), qtText(scenario.name));
     from_->setCurrentIndex(from_->findData(qtText(choice_.from)));

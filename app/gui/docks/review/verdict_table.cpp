@@ -13,6 +13,7 @@
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/review/review_cache.h"
+#include "app/gui/session/study/region_text.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/places/review_columns.h"
 #include "core/review/places/verdict_text.h"
@@ -216,7 +217,7 @@ void VerdictTable::show(const std::shared_ptr<const ReviewAnswer>& answer, UnitS
 void VerdictTable::addPlace(std::size_t review) {
     const PlaceReview& place = answer_->study.places[review];
     auto* item = new QTreeWidgetItem(this);
-    item->setText(0, textOf(place.name));
+    item->setText(0, placeName(place.name));
     item->setText(verdictColumn, describeVerdict(place));
     item->setForeground(verdictColumn, verdictColour(place.verdict));
     QFont bold = font();
@@ -269,7 +270,7 @@ QString VerdictTable::text() const {
     QStringList lines{titles.join(u'\t')};
     for (const PlaceReview& place : answer_->study.places)
         for (const ReviewRow& row : place.rows) {
-            QStringList fields{textOf(place.name), QString::fromUtf8(nameOf(place.kind).data()),
+            QStringList fields{placeName(place.name), describeKind(place.kind),
                                QString::fromUtf8(nameOf(place.verdict).data()), textOf(formatText(row.day))};
             for (const RuleColumn& column : columns_) fields << textOf(columnText(place, row, column.key));
             lines << fields.join(u'\t');

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/session/project/project_session.h"
 
 namespace noonmark {
@@ -21,11 +22,9 @@ QComboBox* listOf(const char* name, const QString& tip) {
     return list;
 }
 
-void fillList(QComboBox& list, const QStringList& names, const QString& now) {
-    const QSignalBlocker block(list);
-    list.clear();
-    list.addItems(names);
-    list.setCurrentIndex(int(std::max<qsizetype>(0, names.indexOf(now))));
+void fillList(QComboBox& list, const std::vector<std::string>& names, const std::string& now) {
+    for (const std::string& name : names) list.addItem(scenarioName(name), QString::fromStdString(name));
+    list.setCurrentIndex(std::max(0, list.findData(QString::fromStdString(now))));
 }
 
 }  // namespace
@@ -45,21 +44,21 @@ ScenarioBar::ScenarioBar(ProjectSession& session, QWidget* parent)
     row->addWidget(new QLabel(tr("compare with")));
     row->addWidget(baseline_);
     connect(scenario_, &QComboBox::activated, this,
-            [this] { session_.goTo(scenario_->currentText().toStdString()); });
-    connect(baseline_, &QComboBox::activated, this, [this](int chosen) {
-        session_.compareWith(chosen == 0 ? std::string() : baseline_->currentText().toStdString());
-    });
+            [this] { session_.goTo(scenario_->currentData().toString().toStdString()); });
+    connect(baseline_, &QComboBox::activated, this,
+            [this] { session_.compareWith(baseline_->currentData().toString().toStdString()); });
     connect(&session_, &ProjectSession::changed, this, &ScenarioBar::fill);
     fill();
 }
 
 void ScenarioBar::fill() {
-    QStringList names{QString::fromLatin1(existingCity)};
-    for (const Scenario& scenario : session_.project().scenarios)
-        names << QString::fromStdString(scenario.name);
-    fillList(*scenario_, names, QString::fromStdString(session_.scenario()));
-    names.prepend(tr("nothing"));
-    fillList(*baseline_, names, QString::fromStdString(session_.baseline()));
+    const QSignalBlocker blockScenario(*scenario_), blockBaseline(*baseline_);
+    const std::vector<std::string> names = listNames(session_.project().scenarios);
+    scenario_->clear();
+    fillList(*scenario_, names, session_.scenario());
+    baseline_->clear();
+    baseline_->addItem(tr("nothing"), QString());
+    fillList(*baseline_, names, session_.baseline());
 }
 
 }  // namespace noonmark

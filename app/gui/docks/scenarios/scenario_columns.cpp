@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/tools/massing/massing_text.h"
 #include "core/measures/shadow_figures.h"
@@ -66,7 +67,7 @@ ScenarioColumn nameColumn() {
             .tip = QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Double-click to show it"),
             .isNumber = false,
             .value = [](const ScenarioRow& row, const ScenarioAnswers&) -> QVariant {
-                return QString::fromStdString(row.scenario);
+                return scenarioName(row.scenario);
             }};
 }
 

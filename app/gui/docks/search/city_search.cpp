@@ -68,11 +68,7 @@ CitySearch::CitySearch(const City& city, const std::vector<Place>& places, const
             id);
     }
     for (const Place& place : places)
-        add({FoundKind::place,
-             QString::fromStdString(place.name),
-             describeKind(place.kind),
-             boxOf(place.polygons),
-             {}});
+        add({FoundKind::place, placeName(place.name), describeKind(place.kind), boxOf(place.polygons), {}});
     for (const NamedLot& lot : lots)
         add({FoundKind::lot, QString::fromStdString(lot.name), QObject::tr("lot"), bounds(lot.outline), {}});
     if (!city.context) return;

@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "app/gui/base/widgets/buttons.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 
 namespace noonmark {
@@ -314,7 +315,7 @@ void WhenForm::addDays(QMenu& menu, const Rule& rule) {
     if (const auto period = periodOf(rule, period_->period()))
         offers.emplace_back(tr("%1 to %2").arg(dayText(rule.days.first), dayText(rule.days.last)), *period);
     if (offers.empty()) return;
-    QMenu* days = menu.addMenu(QString::fromStdString(rule.name));
+    QMenu* days = menu.addMenu(ruleName(rule.name));
     for (const auto& [text, period] : offers)
         connect(days->addAction(text), &QAction::triggered, this,
                 [this, period = period] { Q_EMIT edited(period, tr("period")); });

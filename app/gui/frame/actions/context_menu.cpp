@@ -10,6 +10,7 @@
 #include "app/gui/docks/point/point_inspector.h"
 #include "app/gui/frame/actions/place_actions.h"
 #include "app/gui/frame/actions/region_actions.h"
+#include "app/gui/session/study/region_text.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/editing/edit_tools.h"
 #include "app/gui/view/panel/view_panel.h"
@@ -88,7 +89,7 @@ void ContextMenu::addBuilding(QMenu& menu, std::uint32_t building) {
 void ContextMenu::addPlaces(QMenu& menu, glm::dvec2 at) {
     for (const Place& place : workbench_.session().project().places) {
         if (!isIn(place, at)) continue;
-        QString title = QString::fromStdString(place.name);
+        QString title = placeName(place.name);
         menu.addSection(title.replace(QLatin1Char('&'), QStringLiteral("&&")));
         menu.addAction(makeIcon(QStringLiteral("region")), tr("Study this place"), this,
                        [this, name = place.name] { region_.takeNamed(name); });

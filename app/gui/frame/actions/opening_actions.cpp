@@ -8,10 +8,12 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/buttons.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/frame/actions/place_actions.h"
 #include "app/gui/frame/actions/saving_actions.h"
+#include "app/gui/session/answers/result_rows.h"
 #include "app/gui/session/study/open_options.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/photograph/photograph_actions.h"
@@ -236,10 +238,20 @@ void OpeningActions::takeProject() {
 QStringList OpeningActions::describeGuesses() const {
     const CityRead& city = workbench_.city()->loaded.read;
     QStringList lines;
-    for (const auto& line : {makeAssumedHeightsMessage(countHeights(city.city), city.heights),
-                             makeDoubtHeadline(city.heights), makeStandHeadline(city.heights)})
-        if (line) lines << QString::fromStdString(*line) + u'.';
+    for (const Sentence& sentence : describeHeights(countHeights(city.city), city.heights))
+        lines << sentenceText(sentence) + u'.';
     return lines;
+}
+
+QString OpeningActions::describeReading() const {
+    const CityRead& city = workbench_.city()->loaded.read;
+    QStringList facts, changes;
+    for (const Sentence& fact : listFacts(city)) facts << sentenceText(fact);
+    for (const ReadingChange& change : countChanges(city.warnings))
+        changes << QStringLiteral("%1 %2").arg(formatCount(change.count), translated(change.kind));
+    facts << tr("Changed in reading: %1")
+                 .arg(changes.isEmpty() ? tr("nothing") : changes.join(QStringLiteral(", ")));
+    return facts.join(QStringLiteral(". ")) + u'.';
 }
 
 void OpeningActions::showGuesses() {
@@ -265,9 +277,7 @@ void OpeningActions::showGuesses() {
     if ((fromFiles && places > 0) || !workbench_.placeWarnings().empty())
         lines << describePlacesRead(places, {}, workbench_.placeWarnings());
     // The bar shows the first line alone until it is unfolded.
-    if (fromFiles)
-        lines.insert(needsAttention ? lines.size() : 0,
-                     QString::fromStdString(summariseReading(workbench_.city()->loaded.read)));
+    if (fromFiles) lines.insert(needsAttention ? lines.size() : 0, describeReading());
     if (lines.isEmpty()) return;
     if (!needsAttention) return messages_.showNote(lines.join(u'\n'));
     messages_.showHelp(lines.join(u'\n'));

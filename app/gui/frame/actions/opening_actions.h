@@ -77,6 +77,7 @@ private:
     void offerOptions();
     void chooseTerrain();
     [[nodiscard]] QStringList describeGuesses() const;
+    [[nodiscard]] QString describeReading() const;
 
     Workbench& workbench_;
     SavingActions& saving_;

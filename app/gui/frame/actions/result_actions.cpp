@@ -6,10 +6,12 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/buttons.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/result_display.h"
 #include "app/gui/session/answers/answer_viewer.h"
+#include "app/gui/session/study/region_text.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/gui/view/panel/view_presets.h"
@@ -86,8 +88,9 @@ std::pair<QString, QString> ResultActions::pictureTitle() const {
     if (const PlaceView* verdicts = panel_.results().shownVerdicts())
         return {tr("%1: %2").arg(workbench_.projectName(), verdicts->note), {}};
     const ProjectSession& session = workbench_.session();
-    QString title = tr("%1: %2").arg(workbench_.projectName(), text(session.scenario()));
-    if (!session.baseline().empty()) title = tr("%1 compared with %2").arg(title, text(session.baseline()));
+    QString title = tr("%1: %2").arg(workbench_.projectName(), scenarioName(session.scenario()));
+    if (!session.baseline().empty())
+        title = tr("%1 compared with %2").arg(title, scenarioName(session.baseline()));
     const Period& period = mode_.mode() == ViewMode::exploration || !display_.anyShown()
                                ? workbench_.document().settings().period
                                : display_.settings().period;
@@ -100,7 +103,8 @@ std::vector<ExportDialog::Subject> ResultActions::exportSubjects() const {
     std::vector<ExportDialog::Subject> subjects;
     if (workbench_.answer()) subjects.push_back({Subject::shown, shownText()});
     if (const auto place = workbench_.placeShown())
-        subjects.push_back({Subject::place, tr("What buildings take from %1").arg(text(place->place.name))});
+        subjects.push_back(
+            {Subject::place, tr("What buildings take from %1").arg(placeName(place->place.name))});
     if (const auto measured = workbench_.measuredScenarios(); measured.size() > 1)
         subjects.push_back(
             {Subject::scenarios, tr("All %1 scenario(s) measured", "", pluralNumber(measured.size()))
@@ -187,7 +191,7 @@ void ResultActions::exportView(const ExportChoice& choice, const QString& folder
 
 QString ResultActions::shownText() const {
     const auto answer = workbench_.answer();
-    return answer ? viewerOf(*answer).title(*answer) : QString();
+    return answer ? titleOf(*answer) : QString();
 }
 
 // The menu item names what is displayed.
@@ -199,11 +203,7 @@ void ResultActions::nameExport() {
 
 void ResultActions::saveInProject() {
     const auto answer = workbench_.answer();
-    const auto nameOf = answer ? viewerOf(*answer).name : nullptr;
-    const QString name = nameOf ? nameOf(*answer) : shownText();
-    const bool hasPeriod = !answer || answer->settings();
-    workbench_.saveAnswer(
-        hasPeriod ? tr("%1, %2").arg(name, text(formatText(display_.settings().period.start))) : name);
+    workbench_.saveAnswer(answer ? text(nameToSave(*answer)) : QString());
 }
 
 }  // namespace noonmark

@@ -5,6 +5,7 @@
 
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/result_display.h"
 #include "app/gui/docks/review/glazing/glazing_session.h"
@@ -145,7 +146,7 @@ void StudyActions::repeatSaved() {
         view.answer == "comparison"
             ? tr("%1 was compared with %2 when the project was saved. Run (Ctrl+R) repeats the comparison, "
                  "in %3.")
-                  .arg(QString::fromStdString(view.scenario), QString::fromStdString(view.baseline),
+                  .arg(scenarioName(view.scenario), scenarioName(view.baseline),
                        describeAbout(view.answerSeconds))
             : tr("A study was shown when the project was saved. Run (Ctrl+R) computes it again, in %1.")
                   .arg(describeAbout(view.answerSeconds)));
@@ -211,7 +212,7 @@ ReviewActions::ReviewActions(ReviewSession& review, GlazingSession& windows, Rev
 void ReviewActions::showVerdicts(EditPreview& preview) const {
     if (!review_.isLive()) return preview.setVerdicts({});
     const ReviewStudy& study = review_.shown()->study;
-    preview.setVerdicts(tr("%1: %2").arg(QString::fromStdString(study.rule.name), describeVerdicts(study)));
+    preview.setVerdicts(tr("%1: %2").arg(ruleName(study.rule.name), describeVerdicts(study)));
 }
 
 void ReviewActions::exportReview() {

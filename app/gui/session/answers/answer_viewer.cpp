@@ -6,9 +6,11 @@
 #include <array>
 
 #include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "app/questions/glazing_question.h"
 #include "app/questions/saved_question.h"
+#include "scenarios/project/results/saved_answer.h"
 
 namespace noonmark {
 
@@ -24,18 +26,89 @@ std::vector<ResultRow> rowsOfAny(const Answer& answer, ShownAs) { return figureR
 
 QString titleOfAny(const Answer& answer) {
     return QObject::tr("%1 of %2")
-        .arg(translated(answer.question().label), QString::fromStdString(answer.part().scenario));
+        .arg(translated(answer.question().label), scenarioName(answer.part().scenario));
 }
 
-const AnswerViewer anyViewer{{}, layerOfAny, rowsOfAny, titleOfAny};
+const AnswerViewer anyViewer{.layer = layerOfAny, .rows = rowsOfAny, .ownTitle = titleOfAny};
+
+// Scenarios have no other names in a sentence.
+QString localText(Sentence sentence) {
+    for (Sentence::Argument& one : sentence.arguments)
+        one = scenarioName(std::get<std::string>(one)).toStdString();
+    std::vector<std::string> names;
+    for (const Sentence::Argument& one : sentence.arguments) names.push_back(std::get<std::string>(one));
+    return QString::fromStdString(fillIn(translated(sentence.source).toStdString(), names));
+}
+
+std::string englishText(const Sentence& sentence) {
+    std::vector<std::string> names;
+    for (const Sentence::Argument& one : sentence.arguments) names.push_back(std::get<std::string>(one));
+    return fillIn(sentence.source, names);
+}
+
+std::string withDay(const std::string& title, const std::string& day) {
+    return day.empty() ? title : title + ", " + day;
+}
+
+std::string dayOf(const Answer& answer) {
+    return answer.settings() ? formatText(answer.settings()->period.start) : std::string();
+}
+
+// `name`: the English text, maybe with the number of a further answer: "Study of Tower, 2026-06-21 (2)".
+std::optional<QString> translatedName(const std::string& name, const Sentence& title,
+                                      const std::string& day) {
+    const std::string english = withDay(englishText(title), day);
+    if (!name.starts_with(english)) return std::nullopt;
+    const std::string number = name.substr(english.size());
+    const bool isNumber = number.empty() || (number.starts_with(" (") && number.ends_with(')'));
+    if (!isNumber) return std::nullopt;
+    return QString::fromStdString(withDay(localText(title).toStdString(), day) + number);
+}
+
+QString translatedName(const std::string& name, const AnswerViewer& viewer, const MeasuredPart& part,
+                       const std::string& day) {
+    for (const auto make : {viewer.title, viewer.name})
+        if (make)
+            if (const auto text = translatedName(name, make(part), day)) return *text;
+    return QString::fromStdString(name);
+}
 
 }  // namespace
 
+QString titleOf(const Answer& answer) {
+    const AnswerViewer& viewer = viewerOf(answer);
+    return viewer.ownTitle ? viewer.ownTitle(answer) : localText(viewer.title(answer.part()));
+}
+
 QString listedName(const Answer& answer) {
-    const QString title = viewerOf(answer).title(answer);
-    if (!answer.settings()) return title;
-    return QObject::tr("%1, %2").arg(title,
-                                     QString::fromStdString(formatText(answer.settings()->period.start)));
+    return QString::fromStdString(withDay(titleOf(answer).toStdString(), dayOf(answer)));
+}
+
+std::string storedName(const Answer& answer) {
+    const AnswerViewer& viewer = viewerOf(answer);
+    return withDay(
+        viewer.ownTitle ? viewer.ownTitle(answer).toStdString() : englishText(viewer.title(answer.part())),
+        dayOf(answer));
+}
+
+std::string nameToSave(const Answer& answer) {
+    const auto make = viewerOf(answer).name;
+    return make ? withDay(englishText(make(answer.part())), dayOf(answer)) : storedName(answer);
+}
+
+QString shownName(const MeasuredAnswer& measured) {
+    const auto& answer = measured.known().answer;
+    return answer ? translatedName(measured.name(), viewerOf(*answer), answer->part(), dayOf(*answer))
+                  : shownName(*measured.toSave());
+}
+
+QString shownName(const SavedResult& result) {
+    const auto origin = readSavedOrigin(result);
+    if (!origin) return QString::fromStdString(result.name);
+    constexpr std::size_t lettersOfDay = 10;  // "2026-06-21, 1 day, ..."
+    return translatedName(result.name, viewerOf(result.kind),
+                          {result.scenario, result.baseline, {}, origin->weights},
+                          origin->period.substr(0, lettersOfDay));
 }
 
 const AnswerViewer& viewerOf(const Answer& answer) { return viewerOf(answer.question().key); }
@@ -59,7 +132,7 @@ QString keptAt(const SavedOrigin& origin) {
 
 QString noteOf(const SavedContent& result) {
     const QString saved =
-        QObject::tr("Saved %1: %2").arg(keptAt(result.answer.origin), qtText(result.result->name));
+        QObject::tr("Saved %1: %2").arg(keptAt(result.answer.origin), shownName(*result.result));
     return result.upToDate() ? saved : QObject::tr("%1. Outdated").arg(saved);
 }
 
@@ -83,9 +156,9 @@ std::vector<ResultRow> rowsOfSaved(const Answer& answer, ShownAs show) {
     const auto& saved = *answer.as<SavedContent>();
     const SavedOrigin& origin = saved.answer.origin;
     std::vector<ResultRow> rows{
-        {QObject::tr("Saved result"), qtText(saved.result->name),
+        {QObject::tr("Saved result"), shownName(*saved.result),
          QObject::tr("As saved in the project, not recomputed")},
-        {QObject::tr("Scenario"), qtText(saved.result->scenario), {}},
+        {QObject::tr("Scenario"), scenarioName(saved.result->scenario), {}},
         {QObject::tr("Region"),
          QObject::tr("%1\ncells of %2 m")
              .arg(origin.region.empty() ? QObject::tr("unnamed") : qtText(origin.region))
@@ -101,7 +174,7 @@ std::vector<ResultRow> rowsOfSaved(const Answer& answer, ShownAs show) {
 }
 
 QString titleOfSaved(const Answer& answer) {
-    return QObject::tr("Saved result %1").arg(qtText(answer.as<SavedContent>()->result->name));
+    return QObject::tr("Saved result %1").arg(shownName(*answer.as<SavedContent>()->result));
 }
 
 // When the result was saved, and each change since.
@@ -117,8 +190,11 @@ AnswerNote describeSaved(const Answer& answer) {
 }  // namespace
 
 const AnswerViewer& savedViewer() {
-    static const AnswerViewer viewer{savedQuestion().key, layerOfSaved, rowsOfSaved,
-                                     titleOfSaved,        nullptr,      describeSaved};
+    static const AnswerViewer viewer{.question = savedQuestion().key,
+                                     .layer = layerOfSaved,
+                                     .rows = rowsOfSaved,
+                                     .ownTitle = titleOfSaved,
+                                     .note = describeSaved};
     return viewer;
 }
 
@@ -131,8 +207,7 @@ template <class Reviewed>
 QString titleOfReview(const Answer& answer) {
     const auto& asked = answer.as<Reviewed>()->question;
     return QObject::tr("%1: %2 compared with %3")
-        .arg(QString::fromStdString(asked.rule.name), QString::fromStdString(asked.to),
-             QString::fromStdString(asked.from));
+        .arg(ruleName(asked.rule.name), scenarioName(asked.to), scenarioName(asked.from));
 }
 
 }  // namespace
@@ -141,7 +216,7 @@ const AnswerViewer& reviewViewer() {
     static const AnswerViewer viewer{.question = reviewQuestion().key,
                                      .layer = nullptr,
                                      .rows = rowsOfReview,
-                                     .title = titleOfReview<ReviewAnswer>};
+                                     .ownTitle = titleOfReview<ReviewAnswer>};
     return viewer;
 }
 
@@ -149,7 +224,7 @@ const AnswerViewer& glazingViewer() {
     static const AnswerViewer viewer{.question = glazingQuestion().key,
                                      .layer = nullptr,
                                      .rows = rowsOfReview,
-                                     .title = titleOfReview<GlazingAnswer>};
+                                     .ownTitle = titleOfReview<GlazingAnswer>};
     return viewer;
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/gui/base/layers/field_picture.h"
 #include "app/gui/base/layers/ground_answer.h"
+#include "app/gui/session/answers/measured_answers.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "app/questions/saved_question.h"
 
@@ -25,9 +26,11 @@ struct AnswerViewer {
     /// None: nothing in the view. Null: the view shows the answer behind it (Workbench::behind).
     std::optional<AnswerLayer> (*layer)(const std::shared_ptr<const Answer>&);
     std::vector<ResultRow> (*rows)(const Answer&, ShownAs);
-    QString (*title)(const Answer&);  ///< "Tower compared with Existing city"
+    /// "%1 compared with %2", with the names of scenarios as the project has them.
+    Sentence (*title)(const MeasuredPart&) = nullptr;
+    QString (*ownTitle)(const Answer&) = nullptr;  ///< null: the title
     /// The name that it is saved under, with its first day; null: the title.
-    QString (*name)(const Answer&) = nullptr;
+    Sentence (*name)(const MeasuredPart&) = nullptr;
     AnswerNote (*note)(const Answer&) = nullptr;  ///< null: none
     /// For saved results, whose note is added: what the view shows, and the rows after those on their origin;
     /// null: none, and Answer::figures().
@@ -38,8 +41,19 @@ struct AnswerViewer {
 /// The places of an answer about them, new or saved; null: it is about something else.
 std::shared_ptr<const SunOfCities> sunOf(const std::shared_ptr<const Answer>& answer);
 
-/// As lists name an answer, and the project file: "Study of Tower, 2026-06-21".
+QString titleOf(const Answer& answer);
+
+/// As lists name an answer: "Study of Tower, 2026-06-21".
 QString listedName(const Answer& answer);
+
+// Names that answers are kept under are English in the project file, and shown in the language of the window
+// as long as the user gives no other.
+
+/// The name of listedName(), and that under which "Save result" keeps an answer.
+std::string storedName(const Answer& answer);
+std::string nameToSave(const Answer& answer);
+QString shownName(const MeasuredAnswer& measured);
+QString shownName(const SavedResult& result);
 
 /// The row of the question with this key, or that of all others.
 const AnswerViewer& viewerOf(std::string_view question);

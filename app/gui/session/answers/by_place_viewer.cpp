@@ -10,6 +10,7 @@
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "app/gui/session/study/region_text.h"
+#include "core/describe/text.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -42,12 +43,9 @@ std::vector<ResultRow> rowsOfSavedPlaces(const SavedContent& saved, ShownAs show
                     show);
 }
 
-QString titleOfPlaces(const Answer& answer) {
-    const MeasuredPart part = answer.part();
-    const QString scenario = QString::fromStdString(part.scenario);
-    return part.baseline.empty() ? QObject::tr("Sun by place in %1").arg(scenario)
-                                 : QObject::tr("Sun by place in %1 compared with %2")
-                                       .arg(scenario, QString::fromStdString(part.baseline));
+Sentence titleOfPlaces(const MeasuredPart& part) {
+    if (part.baseline.empty()) return {NM_TEXT("Sun by place in %1"), {part.scenario}};
+    return {NM_TEXT("Sun by place in %1 compared with %2"), {part.scenario, part.baseline}};
 }
 
 QString hoursText(double hours) { return QObject::tr("%1 h of sun a day").arg(groupDigits(hours, 2)); }
@@ -70,7 +68,7 @@ ResultRow extremeRow(const QString& name, const QString& meaning, const SunByPla
     }
     if (!found) return {name, QObject::tr("none"), meaning};
     return {name,
-            QStringLiteral("%1\n%2").arg(QString::fromStdString(sun.places[*found].name),
+            QStringLiteral("%1\n%2").arg(placeName(sun.places[*found].name),
                                          textOf(sun.sun[*found].meanHours, as)),
             meaning};
 }
@@ -153,7 +151,7 @@ std::vector<ResultRow> makeRows(const PlaceFigures& shown, ShownAs show) {
                    QObject::tr("The place with least sun in the mean"), sun, false, as),
         extremeRow(as.isSun() ? QObject::tr("Most sun") : QObject::tr("Least shadow"),
                    QObject::tr("The place with most sun in the mean"), sun, true, as)};
-    rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(shown.period)));
+    rows.push_back(methodRow(QObject::tr("Period"), periodText(shown.period)));
     rows.push_back(methodRow(QObject::tr("Steps of the sun"), formatCount(shown.steps),
                              describeSteps(shown.belowHorizon)));
     rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(shown.engine)));

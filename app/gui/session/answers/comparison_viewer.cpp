@@ -1,10 +1,12 @@
 #include <QLocale>
 #include <QObject>
 
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "app/report/sheets/study_text.h"
+#include "core/describe/text.h"
 #include "scenarios/weights/score_text.h"
 
 namespace noonmark {
@@ -41,10 +43,8 @@ std::vector<ResultRow> rowsOfSavedImpact(const SavedContent& saved, ShownAs show
     return makeRows(saved.as<SavedImpact>()->figures, show);
 }
 
-QString titleOfComparison(const Answer& answer) {
-    const MeasuredPart part = answer.part();
-    return QObject::tr("%1 compared with %2")
-        .arg(QString::fromStdString(part.scenario), QString::fromStdString(part.baseline));
+Sentence titleOfComparison(const MeasuredPart& part) {
+    return {NM_TEXT("%1 compared with %2"), {part.scenario, part.baseline}};
 }
 
 }  // namespace
@@ -72,13 +72,12 @@ QString describeChangedArea(const ChangeFigures& figures, ShownAs show) {
 std::vector<ResultRow> makeRows(const ComparisonFigures& figures, ShownAs show) {
     std::vector<ResultRow> rows{
         {QObject::tr("Compared"),
-         QObject::tr("%1\nwith %2")
-             .arg(QString::fromStdString(figures.to), QString::fromStdString(figures.from)),
+         QObject::tr("%1\nwith %2").arg(scenarioName(figures.to), scenarioName(figures.from)),
          QObject::tr(
              "Minutes of the first minus minutes of the second, with the same engine, steps and cells")}};
     for (ResultRow& row : figureRows(listLines(figures, show))) rows.push_back(std::move(row));
     addBuildings(rows, figures, show);
-    rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(figures.period)));
+    rows.push_back(methodRow(QObject::tr("Period"), periodText(figures.period)));
     rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(figures.engine),
                              QObject::tr("Used for both")));
     addErrors(rows, figures.errors);
@@ -128,10 +127,9 @@ std::vector<ResultRow> rowsOfSavedScore(const SavedContent& saved, ShownAs show)
                          show);
 }
 
-QString titleOfScore(const Answer& answer) {
-    const auto& score = *answer.as<ScoreAnswer>();
-    return QObject::tr("Score of %1 with %2")
-        .arg(QString::fromStdString(score.scenario), QString::fromStdString(score.weights.name));
+Sentence titleOfScore(const MeasuredPart& part) {
+    const std::string weights = part.weights ? part.weights->name : std::string();
+    return {NM_TEXT("Score of %1 with %2"), {part.scenario, weights}};
 }
 
 }  // namespace
@@ -160,7 +158,7 @@ std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scen
                     {}});
     addMonths(rows, score, show);
     addIntervals(rows, score, show);
-    rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(period)));
+    rows.push_back(methodRow(QObject::tr("Period"), periodText(period)));
     rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(score.engine)));
     addErrors(rows, score.errors);
     return rows;

@@ -4,6 +4,7 @@
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/answers/result_rows.h"
+#include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
 
 namespace noonmark {
@@ -93,9 +94,9 @@ std::vector<ResultRow> rowsOfSavedStudy(const SavedContent& saved, ShownAs show)
                     show);
 }
 
-QString scenarioOf(const Answer& answer) { return QString::fromStdString(answer.part().scenario); }
+Sentence nameOfStudy(const MeasuredPart& part) { return {"%1", {part.scenario}}; }
 
-QString titleOfStudy(const Answer& answer) { return QObject::tr("Study of %1").arg(scenarioOf(answer)); }
+Sentence titleOfStudy(const MeasuredPart& part) { return {NM_TEXT("Study of %1"), {part.scenario}}; }
 
 }  // namespace
 
@@ -104,7 +105,7 @@ const AnswerViewer& studyViewer() {
                                      .layer = layerOfStudy,
                                      .rows = rowsOfStudy,
                                      .title = titleOfStudy,
-                                     .name = scenarioOf,
+                                     .name = nameOfStudy,
                                      .savedLayer = layerOfSavedStudy,
                                      .savedRows = rowsOfSavedStudy};
     return viewer;
@@ -126,7 +127,7 @@ std::vector<ResultRow> makeRows(const StudyFigures& figures, ShownAs show) {
     rows.push_back({QObject::tr("Sunlit time"),
                     formatAmount(figures.sunlitMinutesPerDay) + QObject::tr(" min/day"),
                     QObject::tr("Mean minutes a day with the sun above the horizon: 100 % of the time")});
-    rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(figures.period)));
+    rows.push_back(methodRow(QObject::tr("Period"), periodText(figures.period)));
     rows.push_back(methodRow(QObject::tr("Steps of the sun"), formatCount(figures.steps),
                              describeSteps(figures.belowHorizon)));
     rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(figures.engine)));
@@ -172,9 +173,7 @@ std::vector<ResultRow> rowsOfSavedPoints(const SavedContent& saved, ShownAs show
         show);
 }
 
-QString titleOfPoints(const Answer& answer) {
-    return QObject::tr("Points of %1").arg(QString::fromStdString(answer.part().scenario));
-}
+Sentence titleOfPoints(const MeasuredPart& part) { return {NM_TEXT("Points of %1"), {part.scenario}}; }
 
 }  // namespace
 
@@ -191,7 +190,7 @@ const AnswerViewer& pointsViewer() {
 std::vector<ResultRow> makeRows(const PointFigures& shown, ShownAs show) {
     std::vector<ResultRow> rows =
         figureRows(listElementLines(shown.figures, shown.withTrees, {.show = show}));
-    rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(shown.period)));
+    rows.push_back(methodRow(QObject::tr("Period"), periodText(shown.period)));
     rows.push_back(methodRow(QObject::tr("Steps of the sun"), formatCount(shown.steps),
                              describeSteps(shown.belowHorizon)));
     rows.push_back(

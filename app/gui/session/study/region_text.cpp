@@ -1,10 +1,16 @@
 #include "app/gui/session/study/region_text.h"
 
 #include <QObject>
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <optional>
+#include <vector>
 
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "core/base/units.h"
+#include "core/receivers/made_names.h"
 
 namespace noonmark {
 
@@ -58,6 +64,42 @@ QString describeKinds(PlaceKind kind) {
             return QObject::tr("Other places");
     }
     return {};
+}
+
+namespace {
+
+// "park (OSM way 12)": the name of a place that the data does not name.
+std::optional<QString> nameOfUnnamed(const std::string& name) {
+    const auto open = name.find(" (");
+    if (open == name.npos || !name.ends_with(')')) return std::nullopt;
+    const auto kind = parsePlaceKind(name.substr(0, open));
+    if (!kind) return std::nullopt;
+    const std::string source = name.substr(open + 2, name.size() - open - 3);
+    return QObject::tr("%1 (%2)").arg(describeKind(*kind), placeName(source));
+}
+
+// "Community Garden (2)": the second of this name.
+std::optional<QString> nameOfNumbered(const std::string& name) {
+    const auto open = name.rfind(" (");
+    if (open == name.npos || open == 0 || !name.ends_with(')')) return std::nullopt;
+    const std::string number = name.substr(open);
+    const bool isNumber = std::all_of(number.begin() + 2, number.end() - 1,
+                                      [](unsigned char c) { return std::isdigit(c) != 0; });
+    if (!isNumber) return std::nullopt;
+    return placeName(name.substr(0, open)) + QString::fromStdString(number);
+}
+
+}  // namespace
+
+QString placeName(const std::string& name) {
+    if (const auto unnamed = nameOfUnnamed(name)) return *unnamed;
+    if (const auto numbered = nameOfNumbered(name)) return *numbered;
+    const auto made = findMadeName(name);
+    if (!made) return QString::fromStdString(name);
+    std::vector<std::string> parts;
+    for (const Sentence::Argument& part : made->arguments)
+        parts.push_back(placeName(std::get<std::string>(part)).toStdString());
+    return QString::fromStdString(fillIn(translated(made->source).toStdString(), parts));
 }
 
 QString describeRegion(const Region& region, double cellM) {

@@ -51,7 +51,7 @@ QString describeLess(const LiveChange& change) {
 
 QString describePlace(const PlaceChange& place, bool instant) {
     const ChangeFigures& gross = place.figures.gross;
-    const QString name = QString::fromStdString(place.name);
+    const QString name = placeName(place.name);
     QString words = instant ? QObject::tr("%1: %2").arg(name, describeSmallArea(gross.anyMoreShadowM2))
                             : QObject::tr("%1: %2, up to +%3 min")
                                   .arg(name, overThreshold(gross.gainedM2, place.figures.thresholdMin),

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "app/gui/base/widgets/buttons.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/project/project_session.h"
 #include "app/gui/session/workbench.h"
@@ -105,24 +106,26 @@ CompareStrip::CompareStrip(ProjectSession& session, QWidget* parent)
     row->addWidget(displayed_);
     row->addWidget(close);
     connect(other_, &QComboBox::activated, this,
-            [this] { Q_EMIT otherChosen(other_->currentText().toStdString()); });
+            [this] { Q_EMIT otherChosen(other_->currentData().toString().toStdString()); });
     connect(close, &QToolButton::clicked, this, &CompareStrip::closed);
     connect(&session_, &ProjectSession::changed, this, &CompareStrip::fill);
     fill();
 }
 
 void CompareStrip::fill() {
-    const QString before = other_->currentText();
+    const QVariant before = other_->currentData();
     const QSignalBlocker block(other_);
     other_->clear();
-    for (const std::string& name : listOthers(session_)) other_->addItem(QString::fromStdString(name));
-    other_->setCurrentText(before);
-    displayed_->setText(QString::fromStdString(session_.scenario()));
+    for (const std::string& name : listOthers(session_))
+        other_->addItem(scenarioName(name), QString::fromStdString(name));
+    other_->setCurrentIndex(std::max(0, other_->findData(before)));
+    displayed_->setText(scenarioName(session_.scenario()));
 }
 
 void CompareStrip::setOther(const std::string& scenario) {
     const QSignalBlocker block(other_);
-    other_->setCurrentText(QString::fromStdString(scenario));
+    if (const int at = other_->findData(QString::fromStdString(scenario)); at >= 0)
+        other_->setCurrentIndex(at);
 }
 
 void CompareStrip::setNote(const QString& note) { note_->setText(note); }
@@ -299,9 +302,9 @@ void CompareActions::stepForward() {
 }
 
 QString CompareActions::nameSides() const {
-    const QString left = QString::fromStdString(other_.name());
+    const QString left = scenarioName(other_.name());
     if (flicker_->isChecked()) return left;
-    return tr("Left: %1. Right: %2").arg(left, QString::fromStdString(workbench_.session().scenario()));
+    return tr("Left: %1. Right: %2").arg(left, scenarioName(workbench_.session().scenario()));
 }
 
 namespace {
@@ -338,10 +341,10 @@ std::optional<ComparedSides> CompareActions::findSides() {
 }
 
 QString CompareActions::describe() const {
-    if (flicker_->isChecked()) return tr("shown: %1").arg(QString::fromStdString(other_.name()));
+    if (flicker_->isChecked()) return tr("shown: %1").arg(scenarioName(other_.name()));
     if (time_.showsMoment()) return tr("sun and shadow of the same moment");
     if (panel_.results().showsExplored())
-        return tr("explored: %1 only").arg(QString::fromStdString(workbench_.session().scenario()));
+        return tr("explored: %1 only").arg(scenarioName(workbench_.session().scenario()));
     if (!panel_.results().showsPlaces() && !panel_.results().showsAnswer()) return {};
     if (!workbench_.answer() && !workbench_.past()) return {};
     QStringList missing;

@@ -118,6 +118,8 @@ Legend translatedLegend(Legend legend) {
     for (LegendNote& note : legend.notes) note = {translatedWord(note.text), localiseNumbers(note.number)};
     for (auto* patches : {&legend.classes, &legend.patches})
         for (LegendPatch& patch : *patches) patch.label = translatedWord(patch.label);
+    legend.numbers = QLocale();
+    legend.numbers.setNumberOptions(QLocale::OmitGroupSeparator);
     return legend;
 }
 

@@ -274,7 +274,7 @@ void ViewPanel::markPlaces() {
         const auto largest = std::ranges::max_element(place.polygons, {},
                                                       [](const Footprint& polygon) { return area(polygon); });
         const glm::dvec2 at = findMarkPoint(*largest);
-        marks.push_back({QString::fromStdString(place.name),
+        marks.push_back({placeName(place.name),
                          {at.x, at.y, double(groundAt(city_->city(), at))},
                          area(*largest),
                          hasOwnName(place),

@@ -7,6 +7,7 @@
 #include "app/report/maps/answer_legends.h"
 #include "app/report/maps/city_painter.h"
 #include "app/report/sheets/study_text.h"
+#include "core/describe/text.h"
 #include "core/measures/shadow_outlines.h"
 #include "core/review/rule/rule_days.h"
 
@@ -221,7 +222,7 @@ Result<std::vector<BookPage>> makeDiagramPages(const ReviewScene& scene, Progres
     std::vector<DayDiagram> diagrams;
     for (const DiagramMoment& moment : scene.moments) {
         progress.report(double(&moment - scene.moments.data()) / double(scene.moments.size()),
-                        "drawing diagrams");
+                        NM_TEXT("drawing diagrams"));
         NoProgress quiet;
         auto diagram = makeDiagram(scene, moment, layout, areas.front(), quiet, stop);
         if (!diagram) return tl::make_unexpected(diagram.error());
@@ -251,7 +252,7 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
         commonScale =
             std::max(commonScale, fitInto(areas.front(), scale, reachOf(scene, moments), maxFanScale).scale);
     for (const auto& [day, moments] : byDay(scene.moments)) {
-        progress.report(0, "drawing shadow fans");
+        progress.report(0, NM_TEXT("drawing shadow fans"));
         DiagramLayout layout = fitInto(areas.front(), scale, reachOf(scene, moments), maxFanScale);
         layout.scale = commonScale;
         const Box2 ground = groundOf(layout.centre, layout.scale, mapAreaOf(areas.front(), scale));
@@ -286,7 +287,7 @@ Result<std::vector<BookPage>> makeIsochronePages(const ReviewScene& scene, Progr
             .arg(plainText(scene.source.labels.to)),
         areas);
     for (std::size_t i = 0; i < std::min(maxIsochroneDays, scene.sun.sun.days.size()); ++i) {
-        progress.report(0, "drawing lines of equal hours");
+        progress.report(0, NM_TEXT("drawing lines of equal hours"));
         auto diagram = makeIsochrones(scene, i, areas.front(), stop);
         if (!diagram) return tl::make_unexpected(diagram.error());
         diagrams.push_back({scene.sun.sun.days[i].date, *std::move(diagram)});
@@ -315,7 +316,7 @@ Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progres
     for (const auto& [day, moments] : byDay(scene.moments))
         for (const DiagramMoment& moment : fewOf(moments)) {
             if (stop.stop_requested()) return cancelled();
-            progress.report(0, "drawing views from the sun");
+            progress.report(0, NM_TEXT("drawing views from the sun"));
             const QRectF area = pages.next(day).first;
             pages.page().items.push_back(
                 {area, PagePicture{views->paint(moment.sun, size), captionOf(moment)}});

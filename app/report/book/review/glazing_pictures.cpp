@@ -7,6 +7,7 @@
 #include "app/report/book/elevation_pages.h"
 #include "app/report/book/review/review_pages.h"
 #include "app/report/book/sun_view.h"
+#include "core/describe/text.h"
 #include "core/measures/places/place_run.h"
 #include "core/review/rule/rule_days.h"
 #include "core/study/glazing/glazing_text.h"
@@ -229,7 +230,7 @@ Result<std::vector<BookPage>> makeGlazingSunViews(const GlazingBookSource& sourc
     const QString title = QStringLiteral("Views from the sun");
     std::size_t used = 0;
     for (const RuleMoment& moment : *moments) {
-        progress.report(double(used) / double(2 * moments->size()), "drawing views from the sun");
+        progress.report(double(used) / double(2 * moments->size()), NM_TEXT("drawing views from the sun"));
         for (const CityViews& view : *views) {
             if (stop.stop_requested()) return cancelled();
             if (used % areas.size() == 0)

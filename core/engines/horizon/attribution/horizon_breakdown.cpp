@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <glm/common.hpp>
 
+#include "core/describe/text.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/horizon/attribution/step_sums.h"
 #include "core/engines/horizon/horizon_sweep.h"
@@ -164,7 +165,7 @@ private:
             const double share = double(++done) / double(batches_.size());
             progress_.report((double(receiversDone_) + share * double(tile.blocks.receivers())) /
                                  double(receivers_.cells.size()),
-                             "sweeping horizons");
+                             NM_TEXT("sweeping horizons"));
         });
     }
 

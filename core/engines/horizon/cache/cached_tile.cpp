@@ -1,4 +1,5 @@
 #include "core/engines/horizon/cache/cached_tile.h"
+#include "core/describe/text.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -113,7 +114,7 @@ std::size_t CachedTile::sweep(const Receivers& receivers, const WallCache& walls
     tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t i) {
         if (stop.stop_requested()) return;
         sweep(std::span(missing).subspan(batches[i].first, batches[i].size()), sweeping);
-        progress.report(double(++done) / double(batches.size()), "sweeping horizons");
+        progress.report(double(++done) / double(batches.size()), NM_TEXT("sweeping horizons"));
     });
     return missing.size();
 }

@@ -10,6 +10,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
+#include "core/describe/text.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/horizon/cache/cached_tile.h"
 #include "core/engines/horizon/horizon_sweep.h"
@@ -226,7 +227,7 @@ Result<ShadowField> HorizonCache::retime(const SunSteps& sun, Progress& progress
             swept += state_->sweep(state_->tiles[i], counts, ofTile, stop);
             state_->keepWithinMemory(state_->tiles[i]);
         }
-        progress.report(1, "sweeping horizons");
+        progress.report(1, NM_TEXT("sweeping horizons"));
         state_->field.cost.skipped["azimuth bins in the cache (bins x tiles)"] =
             state_->tiles.size() * state_->period->binned().bins.size() - swept;
         return state_->result(counts, stop);
@@ -253,7 +254,7 @@ Result<ShadowField> HorizonCache::change(const City& city, const Receivers& rece
             state_->keepWithinMemory(state_->tiles[i]);
         }
         state_->mask(cells);
-        progress.report(1, "sweeping horizons");
+        progress.report(1, NM_TEXT("sweeping horizons"));
         return state_->result(counts, stop);
     });
 }
@@ -265,7 +266,7 @@ Result<ShadowField> HorizonCache::withRuns(Progress& progress, std::stop_token s
             ProgressShare ofTile(progress, i, state_->tiles.size());
             state_->writeRuns(state_->tiles[i], ofTile, stop);
         }
-        progress.report(1, "sweeping horizons");
+        progress.report(1, NM_TEXT("sweeping horizons"));
         return state_->result(ShadowCounts::grossAndRuns, stop);
     });
 }

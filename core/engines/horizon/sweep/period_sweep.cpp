@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "core/base/progress.h"
+#include "core/describe/text.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/horizon/counting/short_sums.h"
 
@@ -336,7 +337,7 @@ void PeriodSweep::countCrownRuns(const Tile& tile, std::size_t part, const RunLa
 void PeriodSweep::report(const ReceiverBlocks& blocks, double fraction) {
     progress_.report(
         (double(receiversDone_) + fraction * double(blocks.receivers())) / double(receivers_.cells.size()),
-        "sweeping horizons");
+        NM_TEXT("sweeping horizons"));
 }
 
 }  // namespace noonmark

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/describe/text.h"
 #include "core/engines/common/changed_buildings.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/sun/sun_steps.h"
@@ -92,7 +93,7 @@ public:
             for (DayInWork& done : days)
                 if (auto taken = take(done.day, done.masks); !taken) return taken;
             day += days.size();
-            progress_.report(double(day) / double(sun_.days.size()), "filling shadows of places");
+            progress_.report(double(day) / double(sun_.days.size()), NM_TEXT("filling shadows of places"));
         }
         return {};
     }
@@ -160,7 +161,7 @@ private:
 Result<void> computeProjectedMasks(std::span<const City* const> cities, const Receivers& receivers,
                                    const SunSteps& sun, const TakeDay& take, Progress& progress,
                                    const std::stop_token& stop) {
-    progress.report(0, "finding buildings in reach of the places");
+    progress.report(0, NM_TEXT("finding buildings in reach of the places"));
     if (sun.steps.empty() || receivers.cells.empty()) {
         for (std::size_t day = 0; day < sun.days.size(); ++day) {
             std::vector<StepMasks> none(cities.size(),

@@ -14,6 +14,7 @@
 #include "core/city/trees/tree.h"
 #include "core/describe/command_options.h"
 #include "core/describe/figure_text.h"
+#include "core/describe/text.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/files/write_text.h"
@@ -79,7 +80,7 @@ Result<void> addPlaces(PlaceShadows& shadows, const std::vector<Place>& places, 
     for (const Place& place : places) shadows[place.name].kind = place.kind;
     for (const auto& [number, file] : tiles.files) {
         if (stop.stop_requested()) return cancelled();
-        progress.report(double(number) / double(tiles.plan.count()), "summing up places");
+        progress.report(double(number) / double(tiles.plan.count()), NM_TEXT("summing up places"));
         if (!file) continue;
         const Grid tile = tiles.plan.tile(number);
         Bands bands;

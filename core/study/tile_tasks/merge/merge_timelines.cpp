@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "core/base/csv_text.h"
+#include "core/describe/text.h"
 #include "core/engines/shade_trees.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/files/write_text.h"
@@ -158,7 +159,7 @@ Result<MergeReport> mergeTimelines(const fs::path& folder, const TaskPlan& plan,
     for (std::size_t district = 0; district < status->finished.size(); ++district)
         for (const auto& [number, tile] : status->finished[district]) {
             if (stop.stop_requested()) return cancelled();
-            progress.report(double(done++) / double(status->doneTiles), "joining the timelines");
+            progress.report(double(done++) / double(status->doneTiles), NM_TEXT("joining the timelines"));
             if (tile.result.empty()) continue;
             const fs::path file = TileJournal::fileIn(taskFolder(folder, tile.task), tile.result);
             if (auto added = merge.addTile(file, district); !added) return tl::make_unexpected(added.error());

@@ -11,6 +11,7 @@
 #include <span>
 #include <unordered_set>
 
+#include "core/describe/text.h"
 #include "core/io/read_region.h"
 #include "core/io/trees/read_trees.h"
 #include "core/measures/places/place_run.h"
@@ -146,7 +147,7 @@ Result<void> surveyWholeFiles(SurveyedDistrict& made, const Box2& box, const Rea
     NoProgress quiet;
     for (std::size_t i = 0; i < scan.buildings.size(); ++i) {
         if (scan.indexed[i] || !scan.boxes[i].touches(window)) continue;
-        progress.report(double(i) / double(scan.buildings.size()), "surveying the buildings");
+        progress.report(double(i) / double(scan.buildings.size()), NM_TEXT("surveying the buildings"));
         const auto read =
             readCityExtent({scan.buildings[i]}, reading, {window, made.ground.terrain}, quiet, stop);
         if (!read) return tl::make_unexpected(read.error());
@@ -168,7 +169,8 @@ Result<void> surveyByExtent(SurveyedDistrict& made, const Box2& box, const ReadS
     if (files.empty()) return {};
     NoProgress quiet;
     for (float y = box.low.y; y < box.high.y; y += blockM) {
-        progress.report(double((y - box.low.y) / (box.high.y - box.low.y)), "surveying the buildings");
+        progress.report(double((y - box.low.y) / (box.high.y - box.low.y)),
+                        NM_TEXT("surveying the buildings"));
         for (float x = box.low.x; x < box.high.x; x += blockM) {
             const Box2 block{{x, y}, {x + blockM, y + blockM}};
             if (!anyBuilding(scan.footprints, made.ground.frame, block)) continue;

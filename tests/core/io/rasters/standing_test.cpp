@@ -286,9 +286,9 @@ TEST_F(StandingTest, AnImportedCityStandsWhereItStoodBefore) {
 TEST_F(StandingTest, SaysWhatWasFoundAndDone) {
     BaseFit fit{.file = "town.obj", .buildings = 1200, .gapM = -20.04, .spreadM = 0.12};
     fit.rule = StandRule::shifted;
-    EXPECT_EQ(
-        describe(fit),
-        "town.obj: bases 20.0 m below the terrain (median of 1,200, spread 0.1 m); all were shifted onto it");
+    EXPECT_EQ(describe(fit),
+              "Bases of town.obj lie 20 m below the terrain (median of 1,200, spread 0.1 m); all were "
+              "shifted onto it");
 }
 
 }  // namespace

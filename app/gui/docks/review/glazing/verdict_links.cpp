@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/docks/review/glazing/glazing_panel.h"
 #include "app/gui/docks/review/glazing/glazing_session.h"
 #include "app/gui/docks/review/verdict_table.h"
@@ -148,8 +149,7 @@ void VerdictLinks::note() {
     const GlazingQuestion& asked = windows_.answer()->question;
     panel_.results().noteTiles(
         why.isEmpty() ? tr("%1: %2 compared with %3")
-                            .arg(QString::fromStdString(asked.rule.name), QString::fromStdString(asked.to),
-                                 QString::fromStdString(asked.from))
+                            .arg(ruleName(asked.rule.name), scenarioName(asked.to), scenarioName(asked.from))
                       : why,
         !why.isEmpty());
 }

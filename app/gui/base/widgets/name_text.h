@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QString>
+#include <string>
+#include <string_view>
+
+namespace noonmark {
+
+// Names that the program gives, in the language of the window; those of users stay as they are.
+
+/// A scenario; the existing city is one, too.
+QString scenarioName(const std::string& name);
+
+/// A rule's name, its place or its country.
+QString ruleName(std::string_view name);
+
+}  // namespace noonmark

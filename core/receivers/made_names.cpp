@@ -1,0 +1,51 @@
+#include "core/receivers/made_names.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+namespace noonmark {
+
+namespace {
+
+// The arguments with which fillIn() makes `name` of the pattern, found from its end. None: it makes no such
+// name.
+std::optional<Sentence> match(std::string_view pattern, std::string_view name) {
+    Sentence found{pattern, {}};
+    const auto addFirst = [&found](std::string_view argument) {
+        found.arguments.insert(found.arguments.begin(), std::string(argument));
+        return !argument.empty();
+    };
+    auto mark = pattern.rfind('%');
+    const std::string_view end = pattern.substr(mark + 2);  // behind "%1"
+    if (!name.ends_with(end)) return std::nullopt;
+    name.remove_suffix(end.size());
+    for (pattern = pattern.substr(0, mark); !pattern.empty(); pattern = pattern.substr(0, mark)) {
+        mark = pattern.rfind('%');
+        const std::string_view between = pattern.substr(mark + 2);
+        const auto at = name.rfind(between);
+        if (at == name.npos || !addFirst(name.substr(at + between.size()))) return std::nullopt;
+        name = name.substr(0, at);
+    }
+    return addFirst(name) ? std::optional(found) : std::nullopt;
+}
+
+bool countsSources(const Sentence& sentence) {
+    return std::ranges::all_of(std::get<std::string>(sentence.arguments[1]),
+                               [](unsigned char letter) { return std::isdigit(letter) != 0; });
+}
+
+}  // namespace
+
+std::optional<Sentence> findMadeName(std::string_view name) {
+    for (const std::string_view pattern : {madeNames::carriageway, madeNames::sidewalks})
+        if (auto found = match(pattern, name)) return found;
+    for (const std::string_view pattern : madeNames::winds)
+        if (auto found = match(pattern, name)) return found;
+    for (const std::string_view pattern : {madeNames::at, madeNames::between})
+        if (auto found = match(pattern, name)) return found;
+    auto several = match(madeNames::severalSources, name);
+    return several && countsSources(*several) ? several : std::nullopt;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/describe/answer_page.h"
+#include "core/describe/text.h"
+
+namespace noonmark {
+
+/// Names that reading makes from those of the data. "%1" is the street, or a longer part of it.
+namespace madeNames {
+inline constexpr std::string_view carriageway = NM_TEXT("%1, carriageway"),
+                                  sidewalks = NM_TEXT("%1, sidewalks"), between = NM_TEXT("%1, %2 to %3"),
+                                  at = NM_TEXT("%1, at %2"), severalSources = NM_TEXT("%1 and %2 more");
+/// Counter-clockwise from the east.
+inline constexpr std::string_view winds[] = {NM_TEXT("%1, east of %2"),  NM_TEXT("%1, north-east of %2"),
+                                             NM_TEXT("%1, north of %2"), NM_TEXT("%1, north-west of %2"),
+                                             NM_TEXT("%1, west of %2"),  NM_TEXT("%1, south-west of %2"),
+                                             NM_TEXT("%1, south of %2"), NM_TEXT("%1, south-east of %2")};
+}  // namespace madeNames
+
+inline std::string makeName(std::string_view pattern, std::initializer_list<std::string> of) {
+    return fillIn(pattern, {of.begin(), of.size()});
+}
+
+/// A made name as a sentence, whose arguments may be made names, too. None: the name is the data's or the
+/// user's. A name that only reads like a made one is taken for it.
+std::optional<Sentence> findMadeName(std::string_view name);
+
+}  // namespace noonmark
