@@ -159,10 +159,14 @@ Json heightsJson(const HeightCounts& counts, const HeightFacts& facts) {
     return json;
 }
 
+namespace {
+constexpr std::array warningKinds{WarningKind::repaired, WarningKind::clipped, WarningKind::dropped,
+                                  WarningKind::leftOut, WarningKind::assumed};
+}  // namespace
+
 Json changesJson(const Warnings& warnings) {
     Json json = Json::object();
-    for (const WarningKind kind : {WarningKind::repaired, WarningKind::clipped, WarningKind::dropped,
-                                   WarningKind::leftOut, WarningKind::assumed}) {
+    for (const WarningKind kind : warningKinds) {
         std::string key(nameOf(kind));
         std::ranges::replace(key, ' ', '_');
         json[key] = std::ranges::count(warnings, kind, &Warning::kind);
@@ -184,6 +188,28 @@ std::string describeChanges(const Warnings& warnings) {
 }
 
 namespace {
+
+// "2,377 left out (2,371: a tree far from the buildings)": what most of a kind are.
+std::string describeMost(const Warnings& warnings, WarningKind kind, const std::string& what,
+                         std::size_t most) {
+    const auto all = std::size_t(std::ranges::count(warnings, kind, &Warning::kind));
+    return fmt::format("{} {} ({}{})", formatThousands(all), nameOf(kind),
+                       most == all ? "" : formatThousands(most) + ": ", what);
+}
+
+// describeChanges() with what most of each kind are.
+std::string describeChangesWithReasons(const Warnings& warnings) {
+    const auto groups = groupWarnings(warnings);
+    std::vector<std::string> texts;
+    for (const WarningKind kind : warningKinds) {
+        const WarningGroup* most = nullptr;
+        for (const WarningGroup& group : groups)
+            if (group.kind == kind && (most == nullptr || group.where.size() > most->where.size()))
+                most = &group;
+        if (most != nullptr) texts.push_back(describeMost(warnings, kind, most->what, most->where.size()));
+    }
+    return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, "; "));
+}
 
 std::string describeWhere(const CityRead& read) {
     const Box2 box = bounds(read.city);
@@ -213,7 +239,7 @@ std::string summariseReading(const CityRead& read) {
     return fmt::format("{}{}{}. {}{}. Changed in reading: {}.", read.format,
                        read.crs.empty() ? "" : fmt::format(" ({})", read.crs), describeWhere(read),
                        describeSize(read.city), read.city.terrain ? ", on a terrain" : ", on flat ground",
-                       describeChanges(read.warnings));
+                       describeChangesWithReasons(read.warnings));
 }
 
 }  // namespace noonmark
