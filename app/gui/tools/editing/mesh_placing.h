@@ -7,6 +7,7 @@
 #include "app/gui/tools/preview/edit_context.h"
 #include "core/io/read_city.h"
 #include "scenarios/edits/edit.h"
+#include "scenarios/edits/read_shape.h"
 
 class QDoubleSpinBox;
 class QLabel;
