@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "core/io/files/plain_file.h"
+#include "core/io/meshes/ifc_site.h"
 #include "core/io/settings/read_settings.h"
 #include "core/io/terrain/standing.h"
 
@@ -102,6 +104,18 @@ Result<ImportMesh> readShape(const std::filesystem::path& file, const std::strin
                       .file = file.filename().string(),
                       .reading = formatReading(settings),
                       .readScale = settings.meshScale};
+}
+
+OwnPlace findOwnPlace(const std::filesystem::path& file, const Frame& frame, const std::stop_token& stop) {
+    const auto format = detectFormat(file);
+    if (!format || !(*format)->name.starts_with("IFC")) return {};
+    const IfcSite site = readIfcSite(file, stop);
+    const auto place = findPlace(site);
+    if (!place) return {site.trueNorthDeg ? std::optional(-*site.trueNorthDeg) : std::nullopt};
+    constexpr double nearM = 20'000;
+    const glm::dvec2 origin = frame.localFromLonLat(place->origin);
+    if (glm::length(origin) >= nearM) return {place->northDeg};
+    return {place->northDeg, origin, place->words};
 }
 
 }  // namespace noonmark

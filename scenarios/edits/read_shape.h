@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/vec2.hpp>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -25,5 +27,14 @@ ImportMesh asEditionOf(ImportMesh edition, const ImportMesh& earlier);
 Result<ImportMesh> readShape(const std::filesystem::path& file, const std::string& id,
                              const ReadSettings& settings, const Frame& frame, Warnings& warnings,
                              Progress& progress, std::stop_token stop);
+
+/// What an IFC states of its place: nothing of other files, or where it states nothing.
+struct OwnPlace {
+    std::optional<double> clockwiseDeg;  ///< how its +y is turned from true north
+    std::optional<glm::dvec2>
+        originM{};        ///< its own origin in the frame, where that is within 20 km of the frame's
+    std::string words{};  ///< where the latter is stated: "IfcSite"
+};
+OwnPlace findOwnPlace(const std::filesystem::path& file, const Frame& frame, const std::stop_token& stop);
 
 }  // namespace noonmark

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -39,6 +40,18 @@ std::string describeSources(const nlohmann::ordered_json& info) {
                             name, describeRange(info["height_ranges_m"][name]));
     }
     return text.empty() ? "none" : text;
+}
+
+// "31.7 m  Town hall": from the lowest ground under the building. Parts that stand higher are less high.
+std::string describeTallest(const nlohmann::ordered_json& info) {
+    const auto tallestM = info["tallest_m"].get<double>();
+    double partM = 0;
+    for (const auto& range : info["height_ranges_m"]) partM = std::max(partM, range[1].get<double>());
+    const bool isApart = std::abs(partM - tallestM) >= 0.1;
+    return fmt::format("{:.1f} m  {}{}", tallestM, info["tallest"].get<std::string>(),
+                       isApart
+                           ? fmt::format(" (from its lowest ground; the highest part has {:.1f} m)", partM)
+                           : std::string());
 }
 
 nlohmann::ordered_json nextStepsJson(const std::vector<NextStep>& steps) {
@@ -116,8 +129,7 @@ void print(const CityRead& read, const nlohmann::ordered_json& info, std::ostrea
     for (const HeightField& field : read.heights.fields)
         table.add("heights from", (several ? field.file + ": " : "") + describe(field));
     for (const BaseFit& fit : read.heights.bases) table.add("bases", describe(fit));
-    table.add("tallest", fmt::format("{:.1f} m  {}", info["tallest_m"].get<double>(),
-                                     info["tallest"].get<std::string>()));
+    table.add("tallest", describeTallest(info));
     if (const auto& ground = info["ground_m"]; !ground.is_null())
         table.add("ground", describeRange(ground) + " above the datum, under the buildings");
     table.add("terrain", read.city.terrain ? formatText(*read.city.terrain) : "none: flat ground");

@@ -10,6 +10,7 @@
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/project_commands.h"
 #include "core/io/files/plain_file.h"
+#include "core/io/meshes/ifc_site.h"
 #include "core/io/settings/read_settings.h"
 #include "scenarios/edits/apply_edits.h"
 #include "scenarios/edits/read_shape.h"
@@ -39,6 +40,7 @@ struct Shape {
     ImportMesh import;
     Warnings warnings;
     bool hasPlace = false;  // CityJSON contains its position
+    OwnPlace own{};         // of an IFC
 };
 
 Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, const Frame& frame) {
@@ -56,12 +58,36 @@ Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, cons
     auto import = readShape(options.mesh, id, read, frame, shape.warnings, progress, interrupt.token());
     if (!import) return tl::make_unexpected(import.error());
     shape.import = *std::move(import);
+    shape.own = findOwnPlace(options.mesh, frame, interrupt.token());
     return shape;
+}
+
+bool standsWhereItStates(const ShapeOptions& options, const Shape& shape) {
+    return !options.at && !options.originAt && options.replaced.empty() && shape.own.originM.has_value();
+}
+
+// Instead of what the reader says of a place that it was not asked for.
+void warnOfOwnPlace(Shape& shape, const std::string& file) {
+    std::erase_if(shape.warnings,
+                  [](const Warning& warning) { return warning.what.starts_with(unusedIfcPlace); });
+    shape.warnings.push_back(
+        {WarningKind::assumed,
+         fmt::format("it stands and is turned as it states ({}); --at or --origin-at, and "
+                     "--clockwise, place it otherwise",
+                     shape.own.words),
+         std::filesystem::path(file).filename().string()});
+}
+
+// Where an IFC says that it stands, turned as it says.
+Placement placementOfOwn(const ShapeOptions& options, const OwnPlace& own) {
+    return {.clockwiseDeg = options.clockwiseDeg.value_or(own.clockwiseDeg.value_or(0)),
+            .byM = *own.originM + glm::dvec2(options.eastM, options.northM)};
 }
 
 // `standard`: position of the centre if the user gives none.
 Result<Placement> placementOf(const ShapeOptions& options, const Shape& shape, const Frame& frame,
                               std::optional<glm::dvec2> standard) {
+    if (standsWhereItStates(options, shape)) return placementOfOwn(options, shape.own);
     Placement placement{.scale = shape.hasPlace ? options.scale.value_or(1) : 1,
                         .clockwiseDeg = options.clockwiseDeg.value_or(0)};
     if (!options.originAt) placement.about = findMiddle(*shape.import.shape);
@@ -168,6 +194,7 @@ Result<std::string> import(const ShapeOptions& options, Project& project) {
     const Frame& frame = project.city->frame;
     auto shape = shapeFrom(options, options.id, frame);
     if (!shape) return tl::make_unexpected(shape.error());
+    if (standsWhereItStates(options, *shape)) warnOfOwnPlace(*shape, options.mesh);
     const auto placement = placementOf(options, *shape, frame, {});
     if (!placement) return tl::make_unexpected(placement.error());
     const auto there = standOnTerrain(options, *shape, *placement);
@@ -195,8 +222,9 @@ Result<std::string> replace(const ShapeOptions& options, Project& project) {
 }
 
 void addPlaceOptions(CLI::App& command, ShapeOptions& options) {
-    CLI::Option* at =
-        addLonLatOption(command, "--at", options.at, "Position of the centre of its outline, degrees");
+    CLI::Option* at = addLonLatOption(command, "--at", options.at,
+                                      "Position of the centre of its outline, degrees (default: where an IFC "
+                                      "or city model states that it stands)");
     addLonLatOption(command, "--origin-at", options.originAt, "Position of the mesh's own origin, degrees")
         ->excludes(at);
     command.add_option("--east", options.eastM, "Offset from there to the east, m")

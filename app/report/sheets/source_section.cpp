@@ -107,6 +107,10 @@ TextBlocks heightsOf(const Study& study) {
     TextBlocks blocks{heading(QStringLiteral("Heights")), body(describeHeight(study))};
     for (const HeightField& field : study.heights.fields)
         blocks.push_back(body(QStringLiteral("From %1.").arg(QString::fromStdString(describe(field)))));
+    if (!study.heights.fields.empty())
+        blocks.push_back(
+            body(QStringLiteral("Features of the files are not parts: an outline that has parts "
+                                "of its own makes none, a feature of several outlines several.")));
     for (const BaseFit& fit : study.heights.bases)
         blocks.push_back(body(QString::fromStdString(describe(fit)) + u'.'));
     return blocks;

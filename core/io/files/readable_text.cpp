@@ -1,9 +1,12 @@
 #include "core/io/files/readable_text.h"
 
 #include <iconv.h>
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace noonmark {
 
@@ -113,9 +116,30 @@ bool looksJapanese(std::string_view bytes) {
     return false;
 }
 
-// Nothing where the bytes are not of CP932, or the system does not know it.
-std::optional<std::string> fromCp932(std::string_view bytes) {
-    const iconv_t converter = ::iconv_open("UTF-8", "CP932");
+/// An encoding of tables that state none.
+struct EncodingEntry {
+    TextEncoding encoding;
+    std::string_view name;             // for people
+    const char* converter = nullptr;   // iconv's name; nothing: read here
+    std::u32string_view characters{};  // that names of fields of buildings are made of
+};
+
+constexpr std::array encodings{
+    EncodingEntry{TextEncoding::utf8, "UTF-8"},
+    EncodingEntry{TextEncoding::windows1252, "Windows-1252 (Latin-1)"},
+    EncodingEntry{TextEncoding::cp932, "CP932 (Shift JIS)", "CP932"},
+    EncodingEntry{TextEncoding::big5, "Big5 (CP950)", "CP950", U"高層樓棟號數建築物面積屋頂地上下名稱"},
+    EncodingEntry{TextEncoding::gbk, "GBK (CP936)", "GBK", U"高层楼栋号数建筑物面积屋顶地上下名称"},
+    EncodingEntry{TextEncoding::cp949, "CP949 (EUC-KR)", "CP949", U"높이층수건물면적지붕상하동명"},
+};
+
+const EncodingEntry& entryOf(TextEncoding encoding) {
+    return *std::ranges::find(encodings, encoding, &EncodingEntry::encoding);
+}
+
+// Nothing where the bytes are not of that encoding, or the system does not know it.
+std::optional<std::string> converted(std::string_view bytes, TextEncoding encoding) {
+    const iconv_t converter = ::iconv_open("UTF-8", entryOf(encoding).converter);
     if (converter == iconv_t(-1)) return std::nullopt;
     std::string source(bytes), text(bytes.size() * 3, '\0');
     char *from = source.data(), *into = text.data();
@@ -124,6 +148,62 @@ std::optional<std::string> fromCp932(std::string_view bytes) {
     ::iconv_close(converter);
     text.resize(text.size() - room);
     return isGood ? std::optional(std::move(text)) : std::nullopt;
+}
+
+// The bytes of the characters of two bytes, as Big5, GBK and CP949 have them. Nothing where another byte
+// above ASCII stands between them, or where the text could be one of Latin-1: no two of them in a row, or
+// none whose bytes are both beyond ASCII with one that is no letter there.
+std::vector<std::pair<unsigned, unsigned>> eastAsianPairs(std::string_view bytes) {
+    std::vector<std::pair<unsigned, unsigned>> pairs;
+    std::size_t inRow = 0;
+    bool areInRow = false, isNoLatin = false;
+    for (std::size_t i = 0; i < bytes.size();) {
+        if (isBetween(bytes[i], 0, 0x7F)) {
+            inRow = 0, ++i;
+            continue;
+        }
+        const bool isPair = isBetween(bytes[i], 0xA1, 0xF9) && i + 1 < bytes.size() &&
+                            (isBetween(bytes[i + 1], 0x40, 0x7E) || isBetween(bytes[i + 1], 0xA1, 0xFE));
+        if (!isPair) return {};
+        areInRow = areInRow || ++inRow > 1;
+        isNoLatin = isNoLatin || (!isBetween(bytes[i + 1], 0, 0x7F) &&
+                                  (isBetween(bytes[i], 0xA1, 0xBF) || isBetween(bytes[i + 1], 0xA1, 0xBF)));
+        pairs.emplace_back(static_cast<unsigned char>(bytes[i]), static_cast<unsigned char>(bytes[i + 1]));
+        i += 2;
+    }
+    return areInRow && isNoLatin ? pairs : std::vector<std::pair<unsigned, unsigned>>();
+}
+
+// Where a font's common characters are: GBK's and CP949's have no second byte of ASCII, all of Korean's
+// syllables begin between 0xB0 and 0xC8, Big5's common ones between 0xA4 and 0xC6, and nothing of Chinese
+// does below 0xB0 in GBK.
+TextEncoding guessByBytes(const std::vector<std::pair<unsigned, unsigned>>& pairs) {
+    const auto any = [&](auto is) { return std::ranges::any_of(pairs, is); };
+    if (any([](const auto& pair) { return pair.second < 0xA1 || (pair.first > 0xA3 && pair.first < 0xB0); }))
+        return TextEncoding::big5;
+    return any([](const auto& pair) { return pair.first > 0xC8; }) ? TextEncoding::gbk : TextEncoding::cp949;
+}
+
+std::size_t countKnown(std::string_view utf8, std::u32string_view known) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; at < utf8.size();)
+        count += known.find(nextCodePoint(utf8, at)) != known.npos ? 1U : 0U;
+    return count;
+}
+
+// Words of tables of buildings tell more than the bytes do.
+std::optional<TextEncoding> guessEastAsian(std::string_view bytes) {
+    const auto pairs = eastAsianPairs(bytes);
+    if (pairs.empty()) return std::nullopt;
+    std::size_t most = 0;
+    TextEncoding likeliest = guessByBytes(pairs);
+    for (const EncodingEntry& entry : encodings) {
+        if (entry.characters.empty()) continue;
+        const auto text = converted(bytes, entry.encoding);
+        const std::size_t known = text ? countKnown(*text, entry.characters) : 0;
+        if (known > most) most = known, likeliest = entry.encoding;
+    }
+    return converted(bytes, likeliest) ? std::optional(likeliest) : std::nullopt;
 }
 
 }  // namespace
@@ -163,18 +243,17 @@ void appendUtf8(std::string& text, char32_t point) {
 
 TextEncoding guessEncoding(std::string_view bytes) {
     if (isUtf8(bytes)) return TextEncoding::utf8;
-    return looksJapanese(bytes) && fromCp932(bytes) ? TextEncoding::cp932 : TextEncoding::windows1252;
+    if (looksJapanese(bytes) && converted(bytes, TextEncoding::cp932)) return TextEncoding::cp932;
+    return guessEastAsian(bytes).value_or(TextEncoding::windows1252);
 }
 
-std::string_view nameOf(TextEncoding encoding) {
-    if (encoding == TextEncoding::utf8) return "UTF-8";
-    return encoding == TextEncoding::cp932 ? "CP932 (Shift JIS)" : "Windows-1252 (Latin-1)";
-}
+std::string_view nameOf(TextEncoding encoding) { return entryOf(encoding).name; }
 
-std::string readableText(std::string_view bytes) {
-    const TextEncoding encoding = guessEncoding(bytes);
-    if (encoding == TextEncoding::utf8) return std::string(bytes);
-    if (encoding == TextEncoding::cp932) return fromCp932(bytes).value_or(std::string(bytes));
+std::string readableText(std::string_view bytes, TextEncoding likely) {
+    if (isUtf8(bytes)) return std::string(bytes);
+    if (likely == TextEncoding::utf8) likely = guessEncoding(bytes);
+    if (entryOf(likely).converter != nullptr)
+        if (auto text = converted(bytes, likely)) return *std::move(text);
     std::string text;
     for (const char byte : bytes) appendUtf8(text, pointOfWindows1252(static_cast<unsigned char>(byte)));
     return text;

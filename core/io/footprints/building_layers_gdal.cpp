@@ -4,6 +4,7 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <string_view>
 
@@ -22,13 +23,29 @@ constexpr std::size_t maxSampledBytes = 40;
 
 bool isNumberType(OGRFieldType type) { return type == OFTInteger || type == OFTInteger64 || type == OFTReal; }
 
-// One text in CP932 tells more than many that could also be Windows-1252.
-void learnEncoding(const char* bytes, TextEncoding& encoding) {
-    if (encoding != TextEncoding::cp932)
-        if (const TextEncoding found = guessEncoding(bytes); found != TextEncoding::utf8) encoding = found;
-}
+/// What the names and texts of a table say about its encoding.
+class EncodingVotes {
+public:
+    void add(std::string_view bytes) {
+        if (const TextEncoding found = guessEncoding(bytes); found != TextEncoding::utf8)
+            bytes_[found] += bytes.size();
+    }
+    // One text in CP932, and one of another East Asian encoding, tell more than many that could also be
+    // Windows-1252; of these encodings the one of most bytes counts.
+    [[nodiscard]] TextEncoding winner() const {
+        if (bytes_.contains(TextEncoding::cp932)) return TextEncoding::cp932;
+        TextEncoding best = bytes_.empty() ? TextEncoding::utf8 : TextEncoding::windows1252;
+        std::size_t most = 0;
+        for (const auto& [encoding, bytes] : bytes_)
+            if (encoding != TextEncoding::windows1252 && bytes > most) best = encoding, most = bytes;
+        return best;
+    }
 
-void addFields(const OGRFeature& feature, SampledFeature& sampled, TextEncoding& encoding) {
+private:
+    std::map<TextEncoding, std::size_t> bytes_;
+};
+
+void addFields(const OGRFeature& feature, SampledFeature& sampled, EncodingVotes& votes) {
     for (int i = 0; i < feature.GetFieldCount(); ++i) {
         double& number = sampled.numbers.emplace_back(SampledFeature::none);
         std::string& text = sampled.texts.emplace_back();
@@ -36,7 +53,7 @@ void addFields(const OGRFeature& feature, SampledFeature& sampled, TextEncoding&
         const OGRFieldType type = feature.GetFieldDefnRef(i)->GetType();
         if (isNumberType(type)) number = feature.GetFieldAsDouble(i);
         if (type != OFTString) continue;
-        learnEncoding(feature.GetFieldAsString(i), encoding);
+        votes.add(feature.GetFieldAsString(i));
         text = readableText(feature.GetFieldAsString(i)).substr(0, maxSampledBytes);
         number = parseMetres(withDecimalPoint(text)).value_or(SampledFeature::none);
     }
@@ -74,9 +91,10 @@ LayerSample sampleLayer(OGRLayer& layer) {
     const GdalCalls quiet;
     LayerSample sample;
     OGRMultiPoint corners;
+    EncodingVotes votes;
     double areas = 0;
     for (int i = 0; i < layer.GetLayerDefn()->GetFieldCount(); ++i)
-        learnEncoding(layer.GetLayerDefn()->GetFieldDefn(i)->GetNameRef(), sample.encoding);
+        votes.add(layer.GetLayerDefn()->GetFieldDefn(i)->GetNameRef());
     layer.ResetReading();
     for (std::size_t i = 0; i < maxSampled; ++i) {
         const OGRFeatureUniquePtr feature(layer.GetNextFeature());
@@ -84,12 +102,13 @@ LayerSample sampleLayer(OGRLayer& layer) {
         const OGRGeometry* const geometry = feature->GetGeometryRef();
         if (geometry == nullptr || geometry->IsEmpty() != FALSE || geometry->getDimension() < 2) continue;
         SampledFeature& sampled = sample.features.emplace_back();
-        addFields(*feature, sampled, sample.encoding);
+        addFields(*feature, sampled, votes);
         areas += sampled.area = areaOf(*geometry);
         sampled.topZ = highestZ(*geometry);
         addCorners(*geometry, corners);
     }
     layer.ResetReading();
+    sample.encoding = votes.winner();
     const double hull = hullArea(corners);
     sample.coverage = hull > 0 ? areas / hull : 0;
     return sample;

@@ -84,7 +84,8 @@ private:
     int kindField_ = -1;              // says what kind of object a feature is; -1 without one
     std::optional<FieldRole> zRole_;  // of the outlines' highest Z; nothing: it is not used
     LengthUnit zUnit_ = LengthUnit::metres;
-    int otherTags_ = -1;  // index of the field; -1 if there is none
+    TextEncoding encoding_ = TextEncoding::utf8;  // of texts that are not UTF-8
+    int otherTags_ = -1;                          // index of the field; -1 if there is none
     int osmId_ = -1;
     int osmWayId_ = -1;
     LayerRules rules_;

@@ -54,17 +54,19 @@ bool isInFeet(const OGRSpatialReference& system) {
 bool isNumber(OGRFieldType type) { return type == OFTInteger || type == OFTInteger64 || type == OFTReal; }
 
 // As GetFieldAsString() writes it, whose printf takes half of the time of reading a feature.
-std::string textOf(const OGRFeature& feature, int index) {
+std::string textOf(const OGRFeature& feature, int index, TextEncoding encoding) {
     const OGRFieldDefn& field = *feature.GetFieldDefnRef(index);
     const bool plain = field.GetSubType() == OFSTNone && field.GetWidth() == 0;
     if (plain && field.GetType() == OFTReal) return fmt::format("{:.15g}", feature.GetFieldAsDouble(index));
     if (plain && isNumber(field.GetType())) return fmt::format("{}", feature.GetFieldAsInteger64(index));
-    return trimmed(readableText(feature.GetFieldAsString(index)));
+    return trimmed(readableText(feature.GetFieldAsString(index), encoding));
 }
 
-std::optional<FeatureValue> valueOf(const OGRFeature& feature, const KnownField& field) {
+std::optional<FeatureValue> valueOf(const OGRFeature& feature, const KnownField& field,
+                                    TextEncoding encoding) {
     if (field.index < 0 || feature.IsFieldSetAndNotNull(field.index) == FALSE) return std::nullopt;
-    FeatureValue value{field.meaning.role, field.name, textOf(feature, field.index), {}, field.unit};
+    FeatureValue value{
+        field.meaning.role, field.name, textOf(feature, field.index, encoding), {}, field.unit};
     if (value.text.empty()) return std::nullopt;
     const OGRFieldDefn& definition = *feature.GetFieldDefnRef(field.index);
     if (definition.GetSubType() == OFSTBoolean)
@@ -188,6 +190,7 @@ Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& s
 void FootprintLayer::learn(OGRLayer& layer, const LayerSample& sample, const ReadSettings& settings,
                            Warnings& warnings) {
     const OGRSpatialReference system = findLayerSystem(layer, settings.crs);
+    encoding_ = sample.encoding;
     if (sample.encoding != TextEncoding::utf8)
         warnings.push_back({WarningKind::assumed,
                             fmt::format("its texts are not UTF-8 and state no encoding; they are read as {}",
@@ -245,7 +248,7 @@ std::string FootprintLayer::idOf(const OGRFeature& feature, const FeatureValues&
 FeatureValues FootprintLayer::getValues(const OGRFeature& feature) const {
     FeatureValues values;
     for (const KnownField& field : fields_)
-        if (auto value = valueOf(feature, field)) values.push_back(*std::move(value));
+        if (auto value = valueOf(feature, field, encoding_)) values.push_back(*std::move(value));
     if (otherTags_ < 0 || feature.IsFieldSetAndNotNull(otherTags_) == FALSE) return values;
     for (auto& [key, text] : parseTags(feature.GetFieldAsString(otherTags_)))
         if (const auto meaning = findTagMeaning(key))
@@ -280,7 +283,7 @@ void FootprintLayer::read(const OGRFeature& feature, Warnings& warnings) {
 
 bool FootprintLayer::isOtherKind(const OGRFeature& feature, const std::string& id, Warnings& warnings) const {
     if (kindField_ < 0 || feature.IsFieldSetAndNotNull(kindField_) == FALSE) return false;
-    const std::string text = textOf(feature, kindField_);
+    const std::string text = textOf(feature, kindField_, encoding_);
     if (!namesOtherLayer(text)) return false;
     warnings.push_back(
         {WarningKind::leftOut,
@@ -320,7 +323,7 @@ void FootprintLayer::watchUnknown(const OGRFeature& feature) {
     for (const auto& [index, name] : unknownFields_) {
         if (feature.IsFieldSetAndNotNull(index) == FALSE) continue;
         const bool number = isNumber(feature.GetFieldDefnRef(index)->GetType());
-        const std::string text = textOf(feature, index);
+        const std::string text = textOf(feature, index, encoding_);
         if (!text.empty())
             unknown_.add(name, text, number ? std::optional(feature.GetFieldAsDouble(index)) : std::nullopt);
     }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 
 #include "core/geo/frame.h"
 
@@ -35,6 +36,9 @@ std::optional<IfcPlace> findPlace(const IfcSite& site);
 
 /// Reads the file once, statement by statement; what was found so far if it is stopped.
 IfcSite readIfcSite(const std::filesystem::path& file, const std::stop_token& stop);
+
+/// How the warning of a place that is not used begins.
+inline constexpr std::string_view unusedIfcPlace = "the IFC states where it stands, which is not used";
 
 /// One line for a warning, with the options that state the same: "true north is 50 deg clockwise of its y
 /// axis

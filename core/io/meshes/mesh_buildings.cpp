@@ -254,9 +254,8 @@ void warnOfUnusedPlace(const IfcSite& site, const ReadSettings& settings, SceneR
     const auto place = findPlace(site);
     if (place && settings.meshAnchor == place->origin) return;
     if (const std::string words = describe(site); !words.empty())
-        reader.warnings.push_back({WarningKind::leftOut,
-                                   "the IFC states where it stands, which is not used: " + words,
-                                   reader.file});
+        reader.warnings.push_back(
+            {WarningKind::leftOut, fmt::format("{}: {}", unusedIfcPlace, words), reader.file});
 }
 
 // A house is set on the ground with its cellar below, unless elevations are asked for.

@@ -9,7 +9,6 @@
 #include "core/base/json_number.h"
 #include "core/base/safe_text.h"
 #include "core/city/terrain/building_ground.h"
-#include "core/describe/text.h"
 #include "core/io/pieces/read_part.h"
 #include "core/io/read_city.h"
 #include "core/sun/zone_country.h"
@@ -19,8 +18,6 @@ namespace noonmark {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-Amount countAmount(std::size_t count) { return {double(count), FigureUnit::none, 0}; }
 
 HeightField heightFieldFrom(const Json& json) {
     return {json.at("file").get<std::string>(), json.at("field").get<std::string>(),
@@ -119,18 +116,11 @@ std::optional<HeightFacts> parseHeightFacts(const std::string& text) try {
     return std::nullopt;
 }
 
-std::optional<Sentence> describeAssumed(const HeightCounts& counts) {
-    if (!(counts.assumedShare() > maxAssumedShare)) return std::nullopt;
-    constexpr int decimals = 2;
-    return Sentence{counts.assumedAlike ? NM_TEXT("%1 of %2 heights are assumed (%3 m)")
-                                        : NM_TEXT("%1 of %2 heights are assumed (most of them %3 m)"),
-                    {countAmount(counts.of(HeightSource::assumed)), countAmount(counts.parts),
-                     Amount{counts.assumedM, FigureUnit::none, decimals}}};
-}
-
 std::optional<std::string> makeAssumedHeadline(const HeightCounts& counts) {
-    const auto sentence = describeAssumed(counts);
-    return sentence ? std::optional(formatText(*sentence)) : std::nullopt;
+    if (!(counts.assumedShare() > maxAssumedShare)) return std::nullopt;
+    return fmt::format("{} of {} heights are assumed ({}{:.4g} m)",
+                       formatThousands(counts.of(HeightSource::assumed)), formatThousands(counts.parts),
+                       counts.assumedAlike ? "" : "most of them ", counts.assumedM);
 }
 
 std::optional<std::string> makeDoubtHeadline(const HeightFacts& facts) {
@@ -143,25 +133,18 @@ std::optional<std::string> makeDoubtHeadline(const HeightFacts& facts) {
 std::optional<std::string> makeStandHeadline(const HeightFacts& facts) {
     std::vector<std::string> texts;
     for (const BaseFit& fit : facts.bases)
-        if (fit.isRemarkable()) texts.push_back(describe(fit));
+        if (fit.rule != StandRule::asStated || fit.apart > 0 || !fit.fits()) texts.push_back(describe(fit));
     if (texts.empty()) return std::nullopt;
     return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-std::vector<Sentence> describeHeights(const HeightCounts& counts, const HeightFacts& facts) {
-    std::vector<Sentence> sentences;
-    const auto assumed = describeAssumed(counts);
-    if (assumed) sentences.push_back(*assumed);
+std::optional<std::string> makeAssumedHeightsMessage(const HeightCounts& counts, const HeightFacts& facts) {
+    auto text = makeAssumedHeadline(counts);
+    if (!text || facts.unknown.empty()) return text;
     std::vector<std::string> fields;
     for (const UnknownField& field : facts.unknown) fields.push_back(describe(field));
-    if (assumed && !fields.empty())
-        sentences.push_back({NM_TEXT("Fields that could hold heights or storeys: %1"),
-                             {fmt::format("{}", fmt::join(fields, ", "))}});
-    for (const HeightDoubt& doubt : facts.doubts)
-        sentences.push_back({NM_TEXT("In doubt: %1"), {describe(doubt)}});
-    for (const BaseFit& fit : facts.bases)
-        if (fit.isRemarkable()) std::ranges::move(listSentences(fit), std::back_inserter(sentences));
-    return sentences;
+    *text += fmt::format(". Fields that could hold heights or storeys: {}", fmt::join(fields, ", "));
+    return text;
 }
 
 Json heightsJson(const HeightCounts& counts, const HeightFacts& facts) {
@@ -176,10 +159,14 @@ Json heightsJson(const HeightCounts& counts, const HeightFacts& facts) {
     return json;
 }
 
+namespace {
+constexpr std::array warningKinds{WarningKind::repaired, WarningKind::clipped, WarningKind::dropped,
+                                  WarningKind::leftOut, WarningKind::assumed};
+}  // namespace
+
 Json changesJson(const Warnings& warnings) {
     Json json = Json::object();
-    for (const WarningKind kind : {WarningKind::repaired, WarningKind::clipped, WarningKind::dropped,
-                                   WarningKind::leftOut, WarningKind::assumed}) {
+    for (const WarningKind kind : warningKinds) {
         std::string key(nameOf(kind));
         std::ranges::replace(key, ' ', '_');
         json[key] = std::ranges::count(warnings, kind, &Warning::kind);
@@ -189,61 +176,71 @@ Json changesJson(const Warnings& warnings) {
     return json;
 }
 
-std::vector<ReadingChange> countChanges(const Warnings& warnings) {
+std::string describeChanges(const Warnings& warnings) {
     const Json changes = changesJson(warnings);  // items() refers to it
-    std::vector<ReadingChange> counts;
+    std::vector<std::string> texts;
     for (const auto& [key, count] : changes.items()) {
         std::string name = key;
         std::ranges::replace(name, '_', ' ');
-        if (count != 0) counts.push_back({name, count.get<std::size_t>()});
+        if (count != 0) texts.push_back(formatThousands(count.get<std::size_t>()) + " " + name);
     }
-    return counts;
-}
-
-std::string describeChanges(const Warnings& warnings) {
-    std::vector<std::string> texts;
-    for (const ReadingChange& change : countChanges(warnings))
-        texts.push_back(formatThousands(change.count) + " " + change.kind);
     return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
 namespace {
 
-Sentence describeSource(const CityRead& read) {
-    const std::string format = read.crs.empty() ? read.format : fmt::format("{} ({})", read.format, read.crs);
-    const Box2 box = bounds(read.city);
-    if (box.empty()) return {"%1", {format}};
-    const auto middle = (glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0;
-    const auto town = findNearestTown(read.city.frame.lonLatFromLocal(middle));
-    if (!town) return {"%1", {format}};
-    return {NM_TEXT("%1, %2 km from %3, %4"),
-            {format, Amount{town->distanceM / 1000}, town->name, countryName(town->country)}};
+// "2,377 left out (2,371: a tree far from the buildings)": what most of a kind are.
+std::string describeLargest(const Warnings& warnings, WarningKind kind, const std::string& what,
+                            std::size_t largest) {
+    const auto all = std::size_t(std::ranges::count(warnings, kind, &Warning::kind));
+    return fmt::format("{} {} ({}{})", formatThousands(all), nameOf(kind),
+                       largest == all ? "" : formatThousands(largest) + ": ", what);
 }
 
-Sentence describeSize(const City& city) {
-    if (city.buildings.empty()) return {NM_TEXT("no buildings"), {}};
+// describeChanges() with what most of each kind are.
+std::string describeChangesWithReasons(const Warnings& warnings) {
+    const auto groups = groupWarnings(warnings);
+    std::vector<std::string> texts;
+    for (const WarningKind kind : warningKinds) {
+        const WarningGroup* largest = nullptr;
+        for (const WarningGroup& group : groups)
+            if (group.kind == kind && (largest == nullptr || group.where.size() > largest->where.size()))
+                largest = &group;
+        if (largest != nullptr)
+            texts.push_back(describeLargest(warnings, kind, largest->what, largest->where.size()));
+    }
+    return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, "; "));
+}
+
+std::string describeWhere(const CityRead& read) {
+    const Box2 box = bounds(read.city);
+    if (box.empty()) return {};
+    const auto middle = (glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0;
+    const auto town = findNearestTown(read.city.frame.lonLatFromLocal(middle));
+    if (!town) return {};
+    return fmt::format(", {:.1f} km from {}, {}", town->distanceM / 1000, town->name,
+                       countryName(town->country));
+}
+
+std::string describeSize(const City& city) {
+    if (city.buildings.empty()) return "no buildings";
     std::size_t parts = 0;
     float tallestM = 0;
     for (const auto& building : city.buildings) {
         parts += building->parts.size();
         tallestM = std::max(tallestM, heightM(*building, city));
     }
-    return {NM_TEXT("buildings: %1, parts: %2, up to %3 m high"),
-            {countAmount(city.buildings.size()), countAmount(parts), Amount{tallestM}}};
+    return fmt::format("{} of {}, up to {:.1f} m high", countOf(city.buildings.size(), "building"),
+                       countOf(parts, "part"), tallestM);
 }
 
 }  // namespace
 
-std::vector<Sentence> listFacts(const CityRead& read) {
-    return {describeSource(read),
-            describeSize(read.city),
-            {read.city.terrain ? NM_TEXT("on a terrain") : NM_TEXT("on flat ground"), {}}};
-}
-
 std::string summariseReading(const CityRead& read) {
-    std::string text;
-    for (const Sentence& fact : listFacts(read)) text += formatText(fact) + ". ";
-    return text + fmt::format("Changed in reading: {}.", describeChanges(read.warnings));
+    return fmt::format("{}{}{}. {}{}. Changed in reading: {}.", read.format,
+                       read.crs.empty() ? "" : fmt::format(" ({})", read.crs), describeWhere(read),
+                       describeSize(read.city), read.city.terrain ? ", on a terrain" : ", on flat ground",
+                       describeChangesWithReasons(read.warnings));
 }
 
 }  // namespace noonmark

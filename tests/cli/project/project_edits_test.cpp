@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <fstream>
+#include <glm/trigonometric.hpp>
+#include <iterator>
+
 #include "core/city/terrain/building_ground.h"
 #include "scenarios/edits/apply_edits.h"
 #include "scenarios/edits/placed_building.h"
@@ -117,6 +121,31 @@ TEST_F(ProjectEdits, WindowsOfAProposalMoveWithIt) {
     EXPECT_EQ(windowsOf("House"), 13U);
     done("height", {"House", "--scenario", "A", "--height", "9"});
     EXPECT_GT(windowsOf("House"), 10U) << "stretched: its windows stay as high as they were";
+}
+
+// KIT's house moved to the sample: its y axis points 50 degrees west of north.
+TEST_F(ProjectEdits, AnIfcStandsWhereItStates) {
+    const auto house = noonmark::tests::sharedData("world/FZK.ifc");
+    if (!house) GTEST_SKIP() << "shared data is missing";
+    std::ifstream stream(*house, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    constexpr std::string_view karlsruhe = "(49,6,1,566000),(8,26,11,540400)";
+    EXPECT_THAT(refused("import", {house->string(), "--scenario", "A", "--id", "Far"}),
+                HasSubstr("position of the mesh is not given"));
+    text.replace(text.find(karlsruhe), karlsruhe.size(), "(40,46,8,400000),(-73,-58,-30,0)");
+    const std::string moved = folder_.file("moved.ifc", text).string();
+    EXPECT_THAT(done("import", {moved, "--scenario", "A", "--id", "House"}),
+                AllOf(HasSubstr("as it states (IfcSite)"), testing::Not(HasSubstr("not used"))));
+    const glm::dvec2 place = opened().city->frame.localFromLonLat({-73.975, 40.769});
+    // 12 x 10 m with its eaves of 0.5 m from the origin on, turned by 50 degrees to the west.
+    done("import",
+         {moved, "--scenario", "A", "--id", "Same", "--origin-at", "-73.975,40.769", "--clockwise", "-50"});
+    const Box2 own = bounds(building("House")), same = bounds(building("Same"));
+    EXPECT_NEAR(own.low.x, same.low.x, 0.02);
+    EXPECT_NEAR(own.high.y, same.high.y, 0.02);
+    EXPECT_NEAR(own.low.x, place.x - 10.5 * std::sin(glm::radians(50.0)), 0.8);
+    done("import", {moved, "--scenario", "A", "--id", "Elsewhere", "--at", "-73.970,40.769"});
+    EXPECT_GT(bounds(building("Elsewhere")).low.x, own.low.x + 300);
 }
 
 TEST_F(ProjectEdits, AMeshStandsWhereItIsPut) {

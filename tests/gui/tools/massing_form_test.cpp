@@ -120,6 +120,18 @@ TEST(BuildingFacts, OfABox) {
     EXPECT_EQ(collectFacts(*changed.buildings[0], changed).heightSource, QStringLiteral("designed"));
 }
 
+// 60 m that were 20 storeys of 3 m are 20 storeys, not 17 of 3.5 m.
+TEST(BuildingFacts, StoreysOfTheDataAreKept) {
+    City city = test::smallCity();
+    Building counted = *city.buildings[0];
+    for (Part& part : counted.parts) part.heightSource = HeightSource::levels;
+    city.buildings[0] = std::make_shared<const Building>(std::move(counted));
+    const BuildingFacts facts = collectFacts(*city.buildings[0], city, nullptr, 3);
+    EXPECT_EQ(facts.storeys, 20);
+    EXPECT_TRUE(facts.storeysAreStated);
+    EXPECT_NEAR(facts.grossFloorM2.value_or(0), 20 * 1600, 1);
+}
+
 // Its plan is that of all its parts, and it has no floor area: not 0 m2.
 TEST(BuildingFacts, OfARoofOnPosts) {
     City city = test::smallCity();

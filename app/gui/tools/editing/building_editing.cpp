@@ -190,7 +190,9 @@ void BuildingEditing::show() {
 void BuildingEditing::showFacts() {
     const City& city = context_.city->city();
     if (all_.size() > 1) return panel_.showGroup(collectFacts(std::span(all_), city));
-    panel_.show(selected_ ? std::optional(collectFacts(building(), city, context_.findTower(building())))
+    const ReadSettings reading = context_.city->loaded.settings.value_or(ReadSettings{});
+    panel_.show(selected_ ? std::optional(collectFacts(building(), city, context_.findTower(building()),
+                                                       reading.metresPerLevel))
                           : std::nullopt);
 }
 

@@ -32,11 +32,6 @@ namespace {
 
 constexpr int wordLines = 4;  // room for a long file name and the instruction
 
-bool isIfcFile(const std::filesystem::path& file) {
-    const auto format = detectFormat(file);
-    return format && (*format)->name.starts_with("IFC");
-}
-
 }  // namespace
 
 PlacingPanel::PlacingPanel(QWidget* parent)
@@ -213,16 +208,10 @@ void MeshPlacing::read() {
         [file = file_.toStdString(), id, settings = panel_.reading(reading_),
          frame = context_.city->city().frame](Progress& progress, std::stop_token stop) {
             Warnings warnings;
-            const bool isIfc = isIfcFile(file);
-            const IfcSite site = isIfc ? readIfcSite(file, stop) : IfcSite{};
-            const auto own = findPlace(site);
+            const OwnPlace own = findOwnPlace(file, frame, stop);
             return readShape(file, id, settings, frame, warnings, progress, std::move(stop))
                 .map([&](ImportMesh mesh) {
-                    Read read{std::move(mesh), warnings, {}, {}};
-                    if (site.trueNorthDeg) read.northDeg = -*site.trueNorthDeg;
-                    if (own) read.northDeg = own->northDeg;
-                    if (own) read.origin = own->origin;
-                    return read;
+                    return Read{std::move(mesh), warnings, own};
                 });
         },
         [this](Result<Read> read) { take(std::move(read)); });
@@ -235,7 +224,7 @@ void MeshPlacing::take(Result<Read> read) {
     if (first) Q_EMIT began();
     if (first) {
         panel_.begin(QString::fromStdString(mesh_->file));
-        preset({*mesh_, {}, read->northDeg, read->origin});
+        preset(read->own);
     }
     panel_.showWarnings(read->warnings);
     show();
@@ -248,7 +237,7 @@ const ImportMesh* MeshPlacing::findEarlier() const {
 }
 
 // As the earlier edition stands, else as an IFC states: its true north, and its place where it is near.
-void MeshPlacing::preset(const Read& read) {
+void MeshPlacing::preset(const OwnPlace& own) {
     const ImportMesh* earlier = findEarlier();
     panel_.setEarlier(earlier ? QString::fromStdString(earlier->shape->sourceId) : QString());
     const glm::dvec2 middle = findMiddle(*mesh_->shape);
@@ -257,13 +246,9 @@ void MeshPlacing::preset(const Read& read) {
         if (!place_) place_ = applyTo(middle, earlier->placement);
         return;
     }
-    if (!read.northDeg) return;
-    panel_.preset(1, *read.northDeg, 0);
-    const Frame& frame = context_.city->city().frame;
-    const auto origin = read.origin ? std::optional(frame.localFromLonLat(*read.origin)) : std::nullopt;
-    constexpr double nearM = 20'000;
-    if (!place_ && origin && glm::length(*origin) < nearM)
-        place_ = *origin + applyTo(middle, {.clockwiseDeg = *read.northDeg});
+    if (!own.clockwiseDeg) return;
+    panel_.preset(1, *own.clockwiseDeg, 0);
+    if (!place_ && own.originM) place_ = *own.originM + applyTo(middle, {.clockwiseDeg = *own.clockwiseDeg});
 }
 
 void MeshPlacing::placeAt(glm::dvec2 ground) {

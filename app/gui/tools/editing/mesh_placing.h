@@ -7,6 +7,7 @@
 #include "app/gui/tools/preview/edit_context.h"
 #include "core/io/read_city.h"
 #include "scenarios/edits/edit.h"
+#include "scenarios/edits/read_shape.h"
 
 class QDoubleSpinBox;
 class QLabel;
@@ -88,11 +89,9 @@ private:
     struct Read {
         ImportMesh mesh;
         Warnings warnings;
-        /// Of an IFC: azimuth of the model's y axis, and where the model's origin lies.
-        std::optional<double> northDeg;
-        std::optional<LonLat> origin;
+        OwnPlace own;
     };
-    void preset(const Read& read);
+    void preset(const OwnPlace& own);
     [[nodiscard]] const ImportMesh* findEarlier() const;  ///< edition of the file; null: none
     void read();
     void take(Result<Read> read);

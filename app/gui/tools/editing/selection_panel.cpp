@@ -54,16 +54,31 @@ Result<MassConstraint> massOf(const Building& building, const City& city,
 
 }  // namespace
 
-BuildingFacts collectFacts(const Building& building, const City& city, const ProposedTower* tower) {
-    BuildingFacts facts;
-    facts.id = QString::fromStdString(building.sourceId);
-    facts.title = building.name.empty() ? facts.id : QString::fromStdString(building.name);
+namespace {
+
+// The height of its highest part, and where that height comes from.
+void addHeights(BuildingFacts& facts, const Building& building, const City& city, double levelM) {
     facts.heightM = double(heightM(building, city));
     facts.groundElevationM =
         computeElevation(city, {findMiddle(building), double(findGroundUnder(building, city))});
-    facts.parts = building.parts.size();
+    facts.hasElevations = city.terrain != nullptr || city.frame.originElevationM() != 0;
     const auto highest = std::ranges::max_element(building.parts, {}, &Part::topM);
-    if (highest != building.parts.end()) facts.heightSource = describeSource(highest->heightSource);
+    if (highest == building.parts.end()) return;
+    facts.highestPartM = double(highest->topM) - double(highest->bottomM);
+    facts.heightSource = describeSource(highest->heightSource);
+    facts.storeysAreStated = highest->heightSource == HeightSource::levels;
+    if (facts.storeysAreStated) facts.storeyHeightM = levelM;
+}
+
+}  // namespace
+
+BuildingFacts collectFacts(const Building& building, const City& city, const ProposedTower* tower,
+                           double levelM) {
+    BuildingFacts facts;
+    facts.id = QString::fromStdString(building.sourceId);
+    facts.title = building.name.empty() ? facts.id : QString::fromStdString(building.name);
+    facts.parts = building.parts.size();
+    addHeights(facts, building, city, levelM);
     if (tower != nullptr && tower->storeyHeightM > 0) facts.storeyHeightM = tower->storeyHeightM;
     facts.storeys = int(std::lround(facts.heightM / facts.storeyHeightM));
     if (const auto mass = massOf(building, city, facts.storeyHeightM)) {
@@ -75,7 +90,7 @@ BuildingFacts collectFacts(const Building& building, const City& city, const Pro
     }
     const auto figures = tower != nullptr ? figuresOf(*tower) : std::nullopt;
     if (!figures) return facts;
-    facts.designed = true;
+    facts.designed = facts.storeysAreStated = true;
     facts.storeys = figures->storeys;
     facts.grossFloorM2 = figures->grossFloorM2;
     return facts;
@@ -118,10 +133,27 @@ QString makeRows(const GroupFacts& facts) {
            QStringLiteral("</table>");
 }
 
+// Heights count from the lowest ground under the building; a part that stands higher than that is less high.
+QString describeHighestPart(const BuildingFacts& facts) {
+    constexpr double shownM = 0.1;
+    if (facts.parts < 2 || facts.heightM - facts.highestPartM < shownM) return {};
+    return QObject::tr("; highest part %1").arg(describeLength(facts.highestPartM));
+}
+
+// As the files count them, from the lowest ground under it to its highest point.
+QString describeElevations(const BuildingFacts& facts) {
+    if (!facts.hasElevations) return {};
+    return row(QObject::tr("Elevation"), QObject::tr("%1 to %2 above datum")
+                                             .arg(describeLength(facts.groundElevationM),
+                                                  describeLength(facts.groundElevationM + facts.heightM)));
+}
+
 QString makeRows(const BuildingFacts& facts) {
-    const QString storeys = facts.storeys == 0 ? QString()
-                            : facts.designed   ? QStringLiteral(", ") + describeStoreys(facts.storeys)
-                                               : QStringLiteral(", ") + describeAssumedStoreys(facts.storeys);
+    const QString storeys =
+        facts.storeys == 0
+            ? QString()
+            : QStringLiteral(", ") + (facts.storeysAreStated ? describeStoreys(facts.storeys)
+                                                             : describeAssumedStoreys(facts.storeys));
     const QString floors = facts.grossFloorM2
                                ? describeSmallArea(*facts.grossFloorM2) + storeys +
                                      QObject::tr(" of %1").arg(describeLength(facts.storeyHeightM)) +
@@ -131,8 +163,9 @@ QString makeRows(const BuildingFacts& facts) {
            (facts.title == facts.id ? QString() : row(QObject::tr("Id"), facts.id)) +
            row(QObject::tr("Height"),
                QStringLiteral("%1 (%2)").arg(describeHeight(facts.heightM, facts.groundElevationM),
-                                             facts.heightSource)) +
-           row(QObject::tr("Parts"), QString::number(facts.parts)) +
+                                             facts.heightSource) +
+                   describeHighestPart(facts)) +
+           describeElevations(facts) + row(QObject::tr("Parts"), QString::number(facts.parts)) +
            row(QObject::tr("Plan"), describeArea(facts.planM2)) + row(QObject::tr("Floor area"), floors) +
            QStringLiteral("</table>");
 }

@@ -23,9 +23,12 @@ struct BuildingFacts {
     QString id;
     double heightM = 0;           ///< above the ground at the building
     double groundElevationM = 0;  ///< of that ground, above the datum
+    double highestPartM = 0;  ///< above its own underside or ground: less where it stands higher than others
+    bool hasElevations = false;  ///< the files state elevations
     QString heightSource;
-    double storeyHeightM = defaultStoreyM;  ///< of the design, else the usual one
+    double storeyHeightM = defaultStoreyM;  ///< of the design or of the data's storeys, else the usual one
     bool designed = false;                  ///< storeys and floor area are those of a design
+    bool storeysAreStated = false;          ///< by the design or the data
     int storeys = 0;                        ///< 0: less than one
     std::size_t parts = 0;
     double planM2 = 0;  ///< area of the parts that touch the ground; of all where none has a storey there
@@ -41,9 +44,11 @@ struct GroupFacts {
 };
 GroupFacts collectFacts(std::span<const std::uint32_t> buildings, const City& city);
 
-/// `tower`: what is known of it as a tower of the scenario; null: nothing. Takes some ms for a building of
-/// hundreds of points.
-BuildingFacts collectFacts(const Building& building, const City& city, const ProposedTower* tower = nullptr);
+/// `tower`: what is known of it as a tower of the scenario; null: nothing. `levelM`: the storey by which
+/// heights of storeys were read (ReadSettings::metresPerLevel). Takes some ms for a building of hundreds of
+/// points.
+BuildingFacts collectFacts(const Building& building, const City& city, const ProposedTower* tower = nullptr,
+                           double levelM = defaultStoreyM);
 
 /// The largest piece of the building's outline on the ground, as a lot. Nothing if no part touches the
 /// ground.

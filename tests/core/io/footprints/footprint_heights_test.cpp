@@ -407,17 +407,29 @@ TEST_F(ReadFootprints, FieldsOfKmlPlacemarksAreRead) {
     EXPECT_NEAR(heightOf(*piece.buildings[1]), 30, 1e-3);
 }
 
-// As many tables of the nineties are: Latin-1, and nothing says so.
-TEST_F(ReadFootprints, NamesInLatin1AreKnownWithoutACpg) {
-    writeRectangle(folder.path("a.shp"), "ESRI Shapefile", "EPSG:4326", {{"Hxhe_m", 12.5}});
-    const auto table = folder.path("a.dbf");
-    std::ifstream stream(table, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    bytes.replace(bytes.find("Hxhe_m"), 2, "H\xF6");
-    bytes[29] = 0;  // no code page
-    std::ignore = folder.file("a.dbf", bytes);
+// A table in another encoding, as those of the nineties are, and nothing says so.
+std::filesystem::path writeUnstated(tests::TemporaryFolder& folder, std::string_view placeholder,
+                                    std::string_view bytes) {
+    writeRectangle(folder.path("a.shp"), "ESRI Shapefile", "EPSG:4326", {{std::string(placeholder), 12.5}});
+    std::ifstream stream(folder.path("a.dbf"), std::ios::binary);
+    std::string table{std::istreambuf_iterator<char>(stream), {}};
+    table.replace(table.find(placeholder), placeholder.size(), bytes);
+    table[29] = 0;  // no code page
+    std::ignore = folder.file("a.dbf", table);
     std::filesystem::remove(folder.path("a.cpg"));
-    EXPECT_NEAR(heightOf(*read(folder.path("a.shp")).buildings.at(0)), 12.5, 1e-3);
+    return folder.path("a.shp");
+}
+
+TEST_F(ReadFootprints, NamesInLatin1AreKnownWithoutACpg) {
+    EXPECT_NEAR(heightOf(*read(writeUnstated(folder, "Hxhe_m", "H\xF6he_m")).buildings.at(0)), 12.5, 1e-3);
+}
+
+TEST_F(ReadFootprints, NamesInBig5AreKnownWithoutACpg) {
+    const FilePiece piece = read(writeUnstated(folder, "abcd", "\xBC\xD3\xB0\xAA"));
+    EXPECT_NEAR(heightOf(*piece.buildings.at(0)), 12.5, 1e-3);
+    EXPECT_TRUE(std::ranges::any_of(piece.warnings, [](const Warning& one) {
+        return one.what.find("they are read as Big5") != one.what.npos;
+    }));
 }
 
 TEST_F(ReadFootprints, AFolderOfShapefilesIsADataset) {

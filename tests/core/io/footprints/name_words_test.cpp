@@ -55,6 +55,38 @@ TEST(ReadableText, JapaneseTablesAreKnownByTheirPairs) {
         EXPECT_EQ(guessEncoding(latin), TextEncoding::windows1252) << latin;
 }
 
+// Bytes as iconv and Python write them.
+TEST(ReadableText, ChineseAndKoreanTablesAreKnownByTheirWords) {
+    struct Written {
+        const char *bytes, *text;
+        TextEncoding encoding;
+    };
+    for (const auto& [bytes, text, encoding] :
+         {Written{"\xBC\xD3\xB0\xAA", "樓高", TextEncoding::big5},
+          Written{"\xBC\xD3\xBC\x68\xBC\xC6", "樓層數", TextEncoding::big5},
+          Written{"\xA5\x78\xA5\x5F\xA5\xAB", "台北市", TextEncoding::big5},
+          Written{"\xC2\xA5\xB8\xDF", "楼高", TextEncoding::gbk},
+          Written{"\xC9\xCF\xBA\xA3\xCA\xD0", "上海市", TextEncoding::gbk},
+          Written{"\xB3\xF4\xC0\xCC", "높이", TextEncoding::cp949},
+          Written{"\xBC\xAD\xBF\xEF\xBD\xC3\xC3\xBB", "서울시청", TextEncoding::cp949}}) {
+        EXPECT_EQ(guessEncoding(bytes), encoding) << text;
+        EXPECT_EQ(readableText(bytes), text);
+    }
+    for (const char* latin : {"\xA9M\xF6"
+                              "bel",
+                              "N\xBA 5", "\xA1\xC9l!", "\xAB\xC9t\xE9\xBB", "3\xB1\xBD", "\xE9\xE8\xC0\xC9"})
+        EXPECT_EQ(guessEncoding(latin), TextEncoding::windows1252) << latin;
+}
+
+// A short name can be of several encodings; what the table is in decides.
+TEST(ReadableText, TheTablesEncodingDecidesWhereItFits) {
+    constexpr const char* city = "\xBC\xD3\xB0\xAA";
+    EXPECT_EQ(readableText(city, TextEncoding::gbk), "加蔼");
+    EXPECT_EQ(readableText("H\xF6he", TextEncoding::windows1252), "Höhe");
+    EXPECT_EQ(readableText("H\xF6he \xFF", TextEncoding::big5), "Höhe ÿ") << "it does not fit";
+    EXPECT_EQ(readableText("樓高", TextEncoding::big5), "樓高") << "UTF-8 is UTF-8";
+}
+
 struct Named {
     const char* name;
     FieldRole role;
