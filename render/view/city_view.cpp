@@ -32,6 +32,12 @@ constexpr int restMs = 200;
 constexpr double hazeDistances = 4;
 constexpr int movingSpacingPx = 2;
 
+/// The picture in which so many pixels a side are one: as makeExploredCamera() has it.
+QSize sharedBy(const ViewLens& lens, int pixels) {
+    const int height = std::max(1, int(std::ceil(lens.heightPx / pixels)));
+    return {std::max(1, int(std::ceil(lens.widthPx * height / lens.heightPx))), height};
+}
+
 ViewLens inDevicePixels(ViewLens lens, double ratio) {
     lens.widthPx = std::round(lens.widthPx * ratio);
     lens.heightPx = std::round(lens.heightPx * ratio);
@@ -69,8 +75,10 @@ CityView::CityView()
         dome_->layNames(pose_, lens());
     });
     makeLayers();
-    frames_ =
-        std::make_unique<FrameGraph>(this, camera(), ViewLayers{overlay_->layer(), blended_, sideLayers_});
+    auto* coarse = new Qt3DRender::QLayer(root_);
+    frames_ = std::make_unique<FrameGraph>(this, camera(),
+                                           ViewLayers{overlay_->layer(), blended_, sideLayers_, coarse});
+    displayed_.traced().setCoarse(coarse, frames_->coarsePicture());
     setActiveFrameGraph(frames_->root());
     followFrames();
     renderSettings()->setRenderPolicy(Qt3DRender::QRenderSettings::OnDemand);
@@ -115,6 +123,7 @@ void CityView::showSection(const std::optional<SectionBox>& box) {
 void CityView::setRays(RayScene scene, const std::vector<std::shared_ptr<const Building>>& buildings) {
     displayed_.setRays(std::move(scene), buildings);
     reportTraced();
+    moving_ = isTraced();  // the first picture compiles what the first movement needs
     refresh();
 }
 
@@ -296,14 +305,16 @@ void CityView::trace(const ClipRange& clip) {
     const ViewLens view = inDevicePixels(lens(), drawnRatio());
     const int windowPx = int(std::lround(drawnSize().width() * drawnRatio()));
     const bool beside = sides_.layout == SideLayout::beside;
+    // Two sides share pixels only where both begin at one.
+    const bool isCoarse = moving_ && isTraced() && sides_.layout == SideLayout::one && !picture_;
+    const int spacing = isCoarse ? movingSpacingPx : 1;
+    frames_->drawCoarse(isCoarse ? std::optional(sharedBy(view, spacing)) : std::nullopt);
     for (int side = 0; side < (sides_.layout == SideLayout::one ? 1 : 2); ++side) {
         const SideColumns columns = columnsOf(sides_, side, windowPx);
         DrawnCity& city = side == 0 ? displayed_ : other_;
         if (!city.isTraced()) continue;
         const SideColumns own = beside ? SideColumns{0, int(view.widthPx)} : columns;
-        // Two sides share a ray only where both begin at it.
-        const int spacing = moving_ && sides_.layout == SideLayout::one ? movingSpacingPx : 1;
-        city.traced().trace({pose_, view, clip, section_, own, beside ? columns.first : 0, spacing,
+        city.traced().trace({pose_, view, clip, section_, own, beside ? columns.first : 0, spacing, isCoarse,
                              city.crowns().isVisible() ? city.crowns().day() : 0});
     }
 }

@@ -119,7 +119,7 @@ public:
     [[nodiscard]] const CameraPose& pose() const { return pose_; }
     void setPose(const CameraPose& pose);
     /// Whether the camera moved within the last 0.2 s where rays draw the city: until it rests, four pixels
-    /// share a ray.
+    /// share a ray and its colour.
     [[nodiscard]] bool isMoving() const { return moving_; }
     [[nodiscard]] const ViewBounds& viewBounds() const { return displayed_.bounds(); }
     /// The bounds of the city without its far buildings (MainPart).

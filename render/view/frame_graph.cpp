@@ -103,15 +103,18 @@ Qt3DRender::QRenderSurfaceSelector* makeSurface(QWindow* window) {
     return selector;
 }
 
-void addOutput(Qt3DRender::QRenderTarget& target, Qt3DRender::QRenderTargetOutput::AttachmentPoint point,
-               Qt3DRender::QAbstractTexture::TextureFormat format, QSize size) {
+Qt3DRender::QAbstractTexture* addOutput(Qt3DRender::QRenderTarget& target,
+                                        Qt3DRender::QRenderTargetOutput::AttachmentPoint point,
+                                        Qt3DRender::QAbstractTexture::TextureFormat format, QSize size) {
     auto* output = new Qt3DRender::QRenderTargetOutput(&target);
     auto* texture = new Qt3DRender::QTexture2D(output);
     texture->setFormat(format);
     texture->setSize(size.width(), size.height());
+    texture->setGenerateMipMaps(false);
     output->setAttachmentPoint(point);
     output->setTexture(texture);
     target.addOutput(output);
+    return texture;
 }
 
 Qt3DRender::QRenderTarget* makePicture(QSize size, Qt3DCore::QNode* parent) {
@@ -128,11 +131,13 @@ Qt3DRender::QRenderTarget* makePicture(QSize size, Qt3DCore::QNode* parent) {
 FrameGraph::FrameGraph(QWindow* surface, Qt3DRender::QCamera* camera, const ViewLayers& layers)
     : window_(surface),
       surface_(makeSurface(surface)),
+      coarseEnabler_(new Qt3DRender::QSubtreeEnabler(surface_)),
       root_(new Qt3DRender::QRenderTargetSelector(surface_)),
       layers_(layers),
       sectionLow_(new Qt3DRender::QParameter(QStringLiteral("sectionLow"), toVector(everything.lowM), root_)),
       sectionHigh_(
           new Qt3DRender::QParameter(QStringLiteral("sectionHigh"), toVector(everything.highM), root_)) {
+    makeCoarse(camera);
     clearAll();
     sides_ = {makeSide(camera, layers.sides[1]), makeSide(camera, layers.sides[0])};
     makeCapture();
@@ -158,6 +163,33 @@ void FrameGraph::drawInto(const std::optional<QSize>& picture) {
     delete before;
 }
 
+// Each pixel is coloured once and has its depth written, so nothing is cleared or compared.
+void FrameGraph::makeCoarse(Qt3DRender::QCamera* camera) {
+    coarseEnabler_->setEnabled(false);
+    auto* selector = new Qt3DRender::QRenderTargetSelector(coarseEnabler_);
+    auto* target = new Qt3DRender::QRenderTarget(selector);
+    using Output = Qt3DRender::QRenderTargetOutput;
+    using Texture = Qt3DRender::QAbstractTexture;
+    coarse_.colour = addOutput(*target, Output::Color0, Texture::RGBA8_UNorm, {1, 1});
+    coarse_.depth = addOutput(*target, Output::Depth, Texture::D32F, {1, 1});
+    selector->setTarget(target);
+    auto* viewport = new Qt3DRender::QViewport(forwardFilter(selector));
+    auto* eye = new Qt3DRender::QCameraSelector(viewport);
+    eye->setCamera(camera);
+    auto* states = new Qt3DRender::QRenderStateSet(eye);
+    auto* always = new Qt3DRender::QDepthTest;
+    always->setDepthFunction(Qt3DRender::QDepthTest::Always);
+    states->addRenderState(always);
+    filterLayer(layers_.coarse, true, passes(ShaderMaterial::colourPass, states));
+}
+
+void FrameGraph::drawCoarse(const std::optional<QSize>& size) {
+    coarseEnabler_->setEnabled(size.has_value());
+    if (!size) return;
+    for (Qt3DRender::QAbstractTexture* texture : {coarse_.colour, coarse_.depth})
+        texture->setSize(size->width(), size->height());
+}
+
 void FrameGraph::clearAll() {
     auto* clear = new Qt3DRender::QClearBuffers(root_);
     // Software drawing clears all three together several times faster than without the stencil.
@@ -180,7 +212,7 @@ FrameGraph::Side FrameGraph::makeSide(Qt3DRender::QCamera* camera, Qt3DRender::Q
     auto* selector = new Qt3DRender::QCameraSelector(viewport);
     selector->setCamera(camera);
     Qt3DRender::QRenderStateSet* states = makeStates(selector);
-    drawSide(filterLayer(hidden, false, states));
+    drawSide(filterLayer(layers_.coarse, false, filterLayer(hidden, false, states)));
     return {enabler, viewport, states};
 }
 

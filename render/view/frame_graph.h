@@ -14,6 +14,7 @@ class QOffscreenSurface;
 class QWindow;
 
 namespace Qt3DRender {
+class QAbstractTexture;
 class QCamera;
 class QLayer;
 class QParameter;
@@ -36,6 +37,14 @@ struct ViewLayers {
     Qt3DRender::QLayer* overlay;               ///< drawn over the city
     Qt3DRender::QLayer* blended;               ///< edges, lines and translucent faces
     std::array<Qt3DRender::QLayer*, 2> sides;  ///< what only one of two sides shows, see ViewSides
+    Qt3DRender::QLayer*
+        coarse;  ///< what is drawn with fewer pixels, then copied: see FrameGraph::drawCoarse()
+};
+
+/// A picture with fewer pixels than the view's, and its depths.
+struct CoarsePicture {
+    Qt3DRender::QAbstractTexture* colour;
+    Qt3DRender::QAbstractTexture* depth;
 };
 
 /// The order in which the view is drawn: each side first depths, then colours; in each the city before the
@@ -56,6 +65,10 @@ public:
     /// Draws into a picture of this size, which capture() takes, while the window keeps what it shows; empty:
     /// into the window.
     void drawInto(const std::optional<QSize>& picture);
+    /// Before anything else draws the nodes of ViewLayers::coarse into coarsePicture(), which has this size;
+    /// empty: leaves them out.
+    void drawCoarse(const std::optional<QSize>& size);
+    [[nodiscard]] const CoarsePicture& coarsePicture() const { return coarse_; }
 
 private:
     struct Side {
@@ -64,6 +77,7 @@ private:
         Qt3DRender::QRenderStateSet* states;
     };
     Side makeSide(Qt3DRender::QCamera* camera, Qt3DRender::QLayer* hidden);
+    void makeCoarse(Qt3DRender::QCamera* camera);
     void clearAll();
     void makeCapture();
     void drawSide(Qt3DRender::QFrameGraphNode* side);
@@ -73,6 +87,8 @@ private:
     QWindow* window_;
     std::unique_ptr<QOffscreenSurface> offscreen_;  // of pictures; made for the first
     Qt3DRender::QRenderSurfaceSelector* surface_;
+    Qt3DRender::QSubtreeEnabler* coarseEnabler_;  // drawn before root_
+    CoarsePicture coarse_{};
     Qt3DRender::QRenderTargetSelector* root_;  // of all that is drawn
     Qt3DRender::QRenderTarget* picture_ = nullptr;
     ViewLayers layers_;

@@ -16,6 +16,7 @@
 #include "render/scene/qt_vectors.h"
 #include "render/scene/shader_material.h"
 #include "render/view/explored_view.h"
+#include "render/view/frame_graph.h"
 
 namespace noonmark {
 
@@ -77,6 +78,7 @@ QVector2D depthScale(const CameraPose& pose, const ClipRange& clip) {
 
 TracedCity::TracedCity(Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent)
     : parent_(parent),
+      side_(side),
       material_(new ShaderMaterial(QStringLiteral("traced"), parent)),
       pixels_(makePixels(*material_, side, parent)) {}
 
@@ -107,7 +109,24 @@ bool TracedCity::showOnly(std::vector<const Building*> shown) {
     return seen == shown.size();
 }
 
-void TracedCity::show(bool shown) { pixels_->setEnabled(shown); }
+void TracedCity::setCoarse(Qt3DRender::QLayer* layer, const CoarsePicture& picture) {
+    coarsePixels_ = makePixels(*material_, layer, parent_);
+    copyMaterial_ = new ShaderMaterial(QStringLiteral("traced"), QStringLiteral("coarse"), parent_);
+    copyMaterial_->set(QStringLiteral("coarseColour"), QVariant::fromValue(picture.colour));
+    copyMaterial_->set(QStringLiteral("coarseDepth"), QVariant::fromValue(picture.depth));
+    copy_ = makePixels(*copyMaterial_, side_, parent_);
+}
+
+void TracedCity::show(bool shown) {
+    shown_ = shown;
+    showPixels();
+}
+
+void TracedCity::showPixels() {
+    pixels_->setEnabled(shown_ && !isCoarse_);
+    for (Qt3DCore::QEntity* entity : {coarsePixels_, copy_})
+        if (entity) entity->setEnabled(shown_ && isCoarse_);
+}
 
 void TracedCity::setSun(const std::optional<glm::vec3>& towardsSun) {
     towardsSun_ = towardsSun;
@@ -145,7 +164,10 @@ void TracedCity::trace(const Picture& picture) {
     set("tracedClip", depthScale(pose, picture.clip));
     set("tracedParallel", pose.isParallel() ? 1.0F : 0.0F);
     set("tracedLeft", float(picture.leftPx));
-    set("tracedSpacing", float(picture.spacingPx));
+    set("tracedSpacing", picture.isCoarse ? 1.0F : float(picture.spacingPx));
+    if (copyMaterial_) copyMaterial_->set(QStringLiteral("coarseSpacing"), float(picture.spacingPx));
+    isCoarse_ = picture.isCoarse;
+    showPixels();
     layTexture();
 }
 

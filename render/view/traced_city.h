@@ -22,6 +22,7 @@ namespace noonmark {
 bool drawsInSoftware();
 
 class ShaderMaterial;
+struct CoarsePicture;
 
 /// Buildings and ground drawn by rays, for processors without graphics hardware: software OpenGL takes 0.2 to
 /// 0.5 s for the triangles of a large city, rays take 20 ms to find what each pixel shows. Shaders colour the
@@ -47,6 +48,9 @@ public:
     bool showOnly(std::vector<const Building*> shown);
 
     void show(bool shown);
+    /// How its picture gets fewer pixels: its nodes in `layer` are drawn into `picture`, from which others
+    /// copy it. Needed before the first picture with Picture::isCoarse.
+    void setCoarse(Qt3DRender::QLayer* layer, const CoarsePicture& picture);
     /// The trees of the city, whose shade trace() draws with the sun's; null: none.
     void setCrowns(std::shared_ptr<const CrownRays> crowns) { crowns_ = std::move(crowns); }
     /// The sun of a moment, a unit vector; empty: none. trace() draws its shadows.
@@ -56,10 +60,11 @@ public:
         ViewLens lens;  ///< in device pixels
         ClipRange clip;
         std::optional<SectionBox> section;
-        SideColumns columns;  ///< of the picture that are wanted
-        int leftPx = 0;       ///< column of the window where the picture begins
-        int spacingPx = 1;    ///< pixels a side that share one ray; not 1: all columns are wanted
-        int treeDay = 0;      ///< day of the year whose leaves trees have; 0: trees cast no shade
+        SideColumns columns;    ///< of the picture that are wanted
+        int leftPx = 0;         ///< column of the window where the picture begins
+        int spacingPx = 1;      ///< pixels a side that share one ray; not 1: all columns are wanted
+        bool isCoarse = false;  ///< such pixels share their colour, too
+        int treeDay = 0;        ///< day of the year whose leaves trees have; 0: trees cast no shade
     };
     /// Traces a picture, on all cores.
     void trace(const Picture& picture);
@@ -70,10 +75,16 @@ public:
 private:
     void set(const char* uniform, const QVariant& value);
     void layTexture();
+    void showPixels();
 
     Qt3DCore::QEntity* parent_;
+    Qt3DRender::QLayer* side_;
     ShaderMaterial* material_;
-    Qt3DCore::QEntity* pixels_;  ///< one triangle over the picture
+    Qt3DCore::QEntity* pixels_;                  ///< one triangle over the picture
+    ShaderMaterial* copyMaterial_ = nullptr;     ///< see setCoarse()
+    Qt3DCore::QEntity* coarsePixels_ = nullptr;  ///< likewise, drawn into the coarse picture
+    Qt3DCore::QEntity* copy_ = nullptr;          ///< of that
+    bool shown_ = false, isCoarse_ = false;
     Qt3DRender::QAbstractTexture* texture_ = nullptr;
     TracedView view_;
     std::optional<RayScene> scene_;
