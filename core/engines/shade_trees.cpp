@@ -1,6 +1,7 @@
 #include "core/engines/shade_trees.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/engines/auto_engine.h"
@@ -42,13 +43,39 @@ TreeSeconds estimateSeconds(const City& city, const CrownScene& crowns, const Re
     const double rays = double(receivers.cells.size()) * double(sun.steps.size());
     const double ofRay = secondsOfRay + secondsOfCrown * countCrownsAtRays(crowns, receivers, sun);
     const EngineLoad load = measureLoadOfPlaces(cities, receivers, sun);
-    return {.rays = rays * ofRay, .sweep = estimateSeconds(load).horizon * sweepOverModel};
+    return {.rays = rays * ofRay,
+            .sweep = estimateSeconds(load).horizon * sweepOverModel * double(crowns.phases.count())};
+}
+
+// Longest runs are not counted.
+void addMinutes(const std::vector<float>& taken, const Receivers& receivers, ShadowField& column) {
+    for (std::size_t i = 0; i < receivers.cells.size(); ++i) {
+        float& gross = column.grossMin[receivers.cells[i]];
+        gross = std::min(gross + taken[i] / float(column.days), float(column.sunlitMinutesPerDay));
+    }
+    std::ranges::fill(column.continuousMin, std::numeric_limits<float>::quiet_NaN());
+}
+
+// The same where trees have leaf days of their own, which the sweep of horizons leaves out.
+Result<std::shared_ptr<const TreeShade>> sweepPhases(const City& city, const CrownScene& crowns,
+                                                     const Receivers& receivers, const SunSteps& sun,
+                                                     const ShadowField& field, Progress& progress,
+                                                     const std::stop_token& stop) {
+    const auto taken = sweepCrowns(city, crowns, receivers, sun, makeOneSet(sun), progress, stop);
+    if (!taken) return tl::make_unexpected(taken.error());
+    TreeShade shade = makeTreeShade(field, taken->treesUsed);
+    addMinutes(taken->evergreen.front(), receivers, *shade.evergreen);
+    addMinutes(taken->seasonal.front(), receivers, *shade.seasonal);
+    shade.how = taken->how;
+    return std::make_shared<const TreeShade>(std::move(shade));
 }
 
 // What a sweep finds that trees take, on top of the field.
 Result<std::shared_ptr<const TreeShade>> sweepTrees(const City& city, const Receivers& receivers,
                                                     const SunSteps& sun, const ShadowField& field,
                                                     Progress& progress, const std::stop_token& stop) {
+    const CrownScene crowns = findCrowns(city, receivers, sun);
+    if (!crowns.phases.empty()) return sweepPhases(city, crowns, receivers, sun, field, progress, stop);
     const auto swept =
         HorizonSweep({.counts = ShadowCounts::gross}).accumulate(city, receivers, sun, progress, stop);
     if (!swept) return tl::make_unexpected(swept.error());

@@ -155,20 +155,18 @@ struct LitShares {
     std::vector<float> evergreen, seasonal;
 };
 
-LitShares weighCrowns(const std::vector<Crown>& crowns, const LeafDays& leafDays, glm::dvec3 eye,
+LitShares weighCrowns(const City& city, const std::vector<std::uint32_t>& trees, glm::dvec3 eye,
                       const PointSteps& steps) {
+    const CrownScene scene = makeCrownScene(city, trees, steps.sun);
     const SunPatches patches(steps.sun);
-    CrownsOverPoint over(crowns, patches);
+    CrownsOverPoint over(scene.crowns, patches, scene.phases);
     const bool any = over.begin(eye);
     LitShares lit;
-    for (const SunDay& day : steps.sun.days) {
-        const bool inLeaf = isInLeaf(leafDays, day.date);
-        for (std::uint32_t i = day.first; i < day.first + day.count; ++i) {
-            const bool isShaded = steps.shaded[i] != 0;
-            const auto depth = isShaded || !any ? CrownsOverPoint::Depth{0, 0} : over.at(patches.ofStep(i));
-            lit.evergreen.push_back(isShaded ? 0 : float(1 - depth.takenShare(true)));
-            lit.seasonal.push_back(isShaded ? 0 : float(1 - depth.takenShare(inLeaf)));
-        }
+    for (std::size_t i = 0; i < steps.sun.steps.size(); ++i) {
+        const bool isShaded = steps.shaded[i] != 0;
+        const auto depth = isShaded || !any ? CrownsOverPoint::Depth{0, 0} : over.at(i);
+        lit.evergreen.push_back(isShaded ? 0 : float(1 - depth.takenShare(true)));
+        lit.seasonal.push_back(isShaded ? 0 : float(1 - depth.takenShare(any && scene.inLeaf[i] != 0)));
     }
     return lit;
 }
@@ -186,20 +184,23 @@ std::optional<PointCrowns> lookAtCrowns(const City& city, const SkyPoint& point,
     const City weighed = withTreesFor(city, TreeColumns::all);
     const auto eye = glm::dvec3(placeSurfaceRayOrigin(point.position, point.normal));
     PointCrowns all{.seen = {}, .leafDays = city.trees->leafDays};
-    for (std::uint32_t i = 0; i < city.trees->trees.size(); ++i)
-        if (auto seen = seeCrown(makeCrown(city.trees->trees[i]), i, eye, skyline, northDeg))
-            all.seen.push_back(*std::move(seen));
+    const CivilDate date = day.sun.days.front().date;
+    for (std::uint32_t i = 0; i < city.trees->trees.size(); ++i) {
+        const Tree& tree = city.trees->trees[i];
+        auto seen = seeCrown(makeCrown(tree), i, eye, skyline, northDeg);
+        if (!seen) continue;
+        seen->inLeaf = isInLeaf(leafDaysOf(tree, all.leafDays), date);
+        all.seen.push_back(*std::move(seen));
+    }
     std::ranges::stable_sort(all.seen, std::ranges::greater{}, &SeenCrown::distanceM);
     Box2 box;
     box.add(glm::vec2(point.position));
-    std::vector<Crown> crowns;
-    for (const std::uint32_t tree : findTreesInReach(weighed, box, point.position.z, year.sun))
-        crowns.push_back(makeCrown(city.trees->trees[tree]));
-    all.weighed = crowns.size();
-    if (all.seen.empty() && crowns.empty()) return std::nullopt;
-    const LitShares ofYear = weighCrowns(crowns, all.leafDays, eye, year);
-    const LitShares ofDay = weighCrowns(crowns, all.leafDays, eye, day);
-    all.inLeaf = isInLeaf(all.leafDays, day.sun.days.front().date);
+    const auto trees = findTreesInReach(weighed, box, point.position.z, year.sun);
+    all.weighed = trees.size();
+    if (all.seen.empty() && trees.empty()) return std::nullopt;
+    const LitShares ofYear = weighCrowns(city, trees, eye, year);
+    const LitShares ofDay = weighCrowns(city, trees, eye, day);
+    all.inLeaf = isInLeaf(all.leafDays, date);
     all.evergreen = sumSunlight(ofYear.evergreen, year.sun, zone);
     all.seasonal = sumSunlight(ofYear.seasonal, year.sun, zone);
     all.dayEvergreenMin = sumMinutes(ofDay.evergreen, day.sun.stepMinutes);

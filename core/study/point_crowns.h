@@ -28,13 +28,14 @@ struct SeenCrown {
     /// the same.
     double leafOnTransmissivity = 0, leafOffTransmissivity = 0;
     double distanceM = 0;  ///< of its axis, in the plan
+    bool inLeaf = true;    ///< on the question's day
 };
 
 /// The crowns around a point, and what they leave of its sun. A step counts the share of the sun that crowns
 /// let through, by the exact path through each, of suns within half a degree once.
 struct PointCrowns {
     std::vector<SeenCrown> seen;  ///< those that rise above the skyline by half a degree, farthest first
-    LeafDays leafDays;            ///< of trees that lose their leaves
+    LeafDays leafDays;            ///< of trees that lose their leaves and state no days of their own
     bool inLeaf = false;          ///< those, on the question's day
     std::size_t weighed = 0;      ///< trees whose crown can stand before the sun on some day of the year
     MonthHours evergreen{}, seasonal{};              ///< sunlit minutes of the year, as PointView::minutes

@@ -79,6 +79,8 @@ City keepCountedTrees(RuleTrees counted, City city, const City& existing) {
     if (counted == RuleTrees::asEvergreens) trees.leafDays = {};
     for (std::size_t i = 0; i < isCounted.size(); ++i)
         if (isCounted[i] != 0) trees.trees.push_back(city.trees->trees[i]);
+    if (counted == RuleTrees::asEvergreens)
+        for (Tree& tree : trees.trees) tree.leafOnDay = tree.leafOffDay = std::nullopt;
     city.trees = trees.trees.empty() ? nullptr : std::make_shared<const Trees>(std::move(trees));
     return city;
 }

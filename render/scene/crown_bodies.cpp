@@ -107,18 +107,28 @@ void addBranches(Lines& lines, const Tree& tree, const Crown& crown, int sides) 
 
 /// What is drawn of some trees.
 struct Bodies {
-    TriangleMesh evergreen, leafy, trunks;
-    Lines branches;
+    TriangleMesh evergreen, trunks;
+    /// Of trees that lose their leaves on equal days.
+    struct Season {
+        LeafDays days;
+        TriangleMesh leafy;
+        Lines branches;
+    };
+    std::vector<Season> seasons;
 };
 
-Bodies makeBodies(const std::vector<Tree>& trees) {
-    const Detail detail = trees.size() <= maxDetailed ? Detail{} : Detail{4, false, false};
+Bodies makeBodies(const Trees& trees) {
+    const Detail detail = trees.trees.size() <= maxDetailed ? Detail{} : Detail{4, false, false};
     Bodies bodies;
-    for (const Tree& tree : trees) {
+    LeafSeasons seasons(trees.leafDays);
+    for (const Tree& tree : trees.trees) {
         const Crown crown = makeCrown(tree);
-        addCrown(tree.evergreen ? bodies.evergreen : bodies.leafy, crown, detail);
+        const std::size_t season = seasons.add(tree);
+        bodies.seasons.resize(seasons.days().size());
+        bodies.seasons[season].days = seasons.days()[season];
+        addCrown(tree.evergreen ? bodies.evergreen : bodies.seasons[season].leafy, crown, detail);
         if (detail.hasTrunk) addTrunk(bodies.trunks, tree, crown);
-        if (!tree.evergreen) addBranches(bodies.branches, tree, crown, detail.sides);
+        if (!tree.evergreen) addBranches(bodies.seasons[season].branches, tree, crown, detail.sides);
     }
     return bodies;
 }
@@ -167,13 +177,16 @@ Result<std::vector<RayScene>> makeScene(TriangleMesh crowns, const std::stop_tok
 
 Result<std::shared_ptr<const CrownRays>> makeCrownRays(std::shared_ptr<const Trees> trees,
                                                        const std::stop_token& stop) {
-    Bodies bodies = makeBodies(trees->trees);
+    Bodies bodies = makeBodies(*trees);
     auto evergreen = makeScene(std::move(bodies.evergreen), stop);
     if (!evergreen) return tl::make_unexpected(evergreen.error());
-    auto losing = makeScene(std::move(bodies.leafy), stop);
-    if (!losing) return tl::make_unexpected(losing.error());
-    return std::make_shared<const CrownRays>(
-        CrownRays{std::move(trees), *std::move(evergreen), *std::move(losing)});
+    CrownRays rays{std::move(trees), *std::move(evergreen), {}};
+    for (Bodies::Season& season : bodies.seasons) {
+        auto losing = makeScene(std::move(season.leafy), stop);
+        if (!losing) return tl::make_unexpected(losing.error());
+        for (RayScene& crowns : *losing) rays.losingLeaves.push_back({season.days, std::move(crowns)});
+    }
+    return std::make_shared<const CrownRays>(std::move(rays));
 }
 
 CrownBodies::CrownBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent,
@@ -198,18 +211,21 @@ void CrownBodies::show(std::shared_ptr<const Trees> trees) {
     if (trees == trees_) return;
     trees_ = std::move(trees);
     delete root_;
-    root_ = leaves_ = branches_ = nullptr;
+    root_ = nullptr;
+    seasons_.clear();
     if (!trees_ || trees_->trees.empty()) return;
     root_ = new Qt3DCore::QEntity(parent_);
-    const Bodies bodies = makeBodies(trees_->trees);
+    const Bodies bodies = makeBodies(*trees_);
     drawMesh(bodies.evergreen, *evergreen_, root_, side_);
     drawMesh(bodies.trunks, *trunk_, root_, side_);
-    leaves_ = drawMesh(bodies.leafy, *leafy_, root_, side_);
-    if (!bodies.branches.ends.empty()) {
-        branches_ = makeArrayEntity(makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Lines,
-                                                        bodies.branches.points, bodies.branches.ends),
-                                    *branch_, root_, blended_);
-        branches_->addComponent(side_);
+    for (const Bodies::Season& season : bodies.seasons) {
+        seasons_.push_back({season.days, drawMesh(season.leafy, *leafy_, root_, side_)});
+        if (season.branches.ends.empty()) continue;
+        Qt3DCore::QEntity*& branches = seasons_.back().branches;
+        branches = makeArrayEntity(makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Lines,
+                                                       season.branches.points, season.branches.ends),
+                                   *branch_, root_, blended_);
+        branches->addComponent(side_);
     }
     enable();
 }
@@ -232,9 +248,11 @@ void CrownBodies::setHaze(float distanceM) {
 void CrownBodies::enable() {
     if (!root_) return;
     root_->setEnabled(visible_);
-    const bool inLeaf = trees_->leafDays.inLeafOn(dayOfYear_);
-    if (leaves_) leaves_->setEnabled(inLeaf);
-    if (branches_) branches_->setEnabled(!inLeaf);
+    for (const Season& season : seasons_) {
+        const bool inLeaf = season.days.inLeafOn(dayOfYear_);
+        if (season.leaves) season.leaves->setEnabled(inLeaf);
+        if (season.branches) season.branches->setEnabled(!inLeaf);
+    }
 }
 
 }  // namespace noonmark

@@ -28,8 +28,14 @@ std::optional<TreeHit> pickTree(const std::vector<Tree>& trees, const ViewRay& r
 
 /// Crowns as rays towards the sun meet them, for the shade of a moment.
 struct CrownRays {
-    std::shared_ptr<const Trees> trees;             ///< of which they are; not null
-    std::vector<RayScene> evergreen, losingLeaves;  ///< any number: their shade is one
+    std::shared_ptr<const Trees> trees;  ///< of which they are; not null
+    /// Any number: their shade is one.
+    std::vector<RayScene> evergreen;
+    struct Losing {
+        LeafDays days;
+        RayScene crowns;
+    };
+    std::vector<Losing> losingLeaves;
 };
 /// About 1 s for 100,000 trees. Error if memory runs out; cancelled() soon after a stop request.
 Result<std::shared_ptr<const CrownRays>> makeCrownRays(std::shared_ptr<const Trees> trees,
@@ -66,9 +72,14 @@ private:
     Qt3DCore::QEntity* parent_;
     ShaderMaterial *evergreen_, *leafy_, *trunk_, *branch_;
     std::shared_ptr<const Trees> trees_;
-    Qt3DCore::QEntity* root_ = nullptr;      ///< of all bodies
-    Qt3DCore::QEntity* leaves_ = nullptr;    ///< below root_: of trees that lose them
-    Qt3DCore::QEntity* branches_ = nullptr;  ///< likewise, of the same trees without leaves
+    Qt3DCore::QEntity* root_ = nullptr;  ///< of all bodies
+    /// Below root_: trees that lose their leaves, of equal days, with and without them; null: none.
+    struct Season {
+        LeafDays days;
+        Qt3DCore::QEntity* leaves = nullptr;
+        Qt3DCore::QEntity* branches = nullptr;
+    };
+    std::vector<Season> seasons_;
     int dayOfYear_ = 172;
     bool visible_ = true;
 };

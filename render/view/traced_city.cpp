@@ -139,10 +139,11 @@ void TracedCity::trace(const Picture& picture) {
     const CameraPose& pose = picture.pose;
     const PixelCamera camera = makeTracedCamera(picture);
     const bool crowns = crowns_ && picture.treeDay > 0;
-    const bool inLeaf = crowns && crowns_->trees->leafDays.inLeafOn(picture.treeDay);
     std::vector<RayScene> dense, light;
     if (crowns) dense = crowns_->evergreen;
-    if (crowns) std::ranges::copy(crowns_->losingLeaves, std::back_inserter(inLeaf ? dense : light));
+    if (crowns)
+        for (const CrownRays::Losing& losing : crowns_->losingLeaves)
+            (losing.days.inLeafOn(picture.treeDay) ? dense : light).push_back(losing.crowns);
     traceView(*scene_, camera,
               {.groundM = ground_.levelM,
                .terrain = ground_.terrain.get(),

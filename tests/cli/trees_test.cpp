@@ -390,6 +390,18 @@ TEST_F(TreesOfAProject, ACrownBaseAboveTheTopIsRefused) {
         HasSubstr("crown's base"));
 }
 
+TEST_F(TreesOfAProject, ATreeHasLeavesAndLeafDaysOfItsOwn) {
+    const CommandOutput added = tree({"add", "--at", "-73.98,40.75", "--species", "Acer", "--leaf-on",
+                                      "05-10", "--leaf-off", "10-01", "--scenario", "Avenue"});
+    EXPECT_EQ(added.code, exitOk) << added.err;
+    EXPECT_EQ(tree({"add", "--at", "-73.98,40.751", "--leaves", "evergreen", "--scenario", "Avenue"}).code,
+              exitOk);
+    EXPECT_NE(tree({"add", "--at", "-73.98,40.752", "--leaves", "some", "--scenario", "Avenue"}).code,
+              exitOk);
+    EXPECT_THAT(tree({"add", "--at", "-73.98,40.752", "--leaf-on", "02-30", "--scenario", "Avenue"}).err,
+                HasSubstr("no day of the year"));
+}
+
 TEST_F(TreesOfAProject, LeafDaysAreStated) {
     EXPECT_THAT(tree({"leaves", "--leaf-on", "01-02", "--leaf-off", "12-20"}).out,
                 HasSubstr("from 01-02 up to and without 12-20"));

@@ -19,6 +19,8 @@ inline void requireSound(const Tree& tree) {
     require(tree.crownDiameterM > 0 && tree.crownDiameterM <= 130, "a crown has a width");
     require(isShare(tree.leafOnTransmissivity) && isShare(tree.leafOffTransmissivity),
             "transmissivities are shares");
+    const auto isDay = [](const std::optional<int>& day) { return !day || (*day >= 1 && *day <= 366); };
+    require(isDay(tree.leafOnDay) && isDay(tree.leafOffDay), "leaf days are days of the year");
     const Crown crown = makeCrown(tree);
     require(crown.leafOnPerM >= 0 && crown.leafOffPerM >= 0, "crowns attenuate light");
 }

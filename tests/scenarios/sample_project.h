@@ -51,6 +51,8 @@ inline Project sampleProject() {
                 .leafDays = {101, 317}};
     trees.trees[0].place = {20.3F, 5.1F};
     trees.trees[1].place = {150.7F, -3};
+    trees.trees[1].leafOnDay = 122;
+    trees.trees[1].leafOffDay = 365;
     for (Tree& tree : trees.trees) tree.groundM = groundAt(city, tree.place);
     city.trees = std::make_shared<const Trees>(std::move(trees));
     Project project;

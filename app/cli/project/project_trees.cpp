@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <memory>
@@ -22,7 +21,6 @@
 #include "core/io/read_region.h"
 #include "core/io/trees/read_trees.h"
 #include "core/study/text/terrain_text.h"
-#include "core/sun/civil_time.h"
 #include "scenarios/edits/apply_edits.h"
 #include "scenarios/edits/tree_edits.h"
 
@@ -95,6 +93,17 @@ Result<std::string> importTreeFiles(const TreeImportOptions& options, Project& p
     return words.str();
 }
 
+std::string describeLeaves(const Tree& tree, const LeafDays& ofCity) {
+    if (tree.evergreen) return "evergreen";
+    if (!tree.leafOnDay && !tree.leafOffDay) return "loses its leaves";
+    const LeafDays days = leafDaysOf(tree, ofCity);
+    return fmt::format("in leaf from {} to {}", formatDayOfYear(days.on), formatDayOfYear(days.off));
+}
+
+nlohmann::json dayJson(const std::optional<int>& day) {
+    return day ? nlohmann::json(formatDayOfYear(*day)) : nlohmann::json();
+}
+
 std::vector<Listed> listTrees(const Project& project) {
     std::vector<Listed> lines;
     if (!project.city->trees) return lines;
@@ -104,7 +113,7 @@ std::vector<Listed> listTrees(const Project& project) {
                          fmt::format("{}{:.1f} m high ({}), crown {:.1f} m ({}), {}",
                                      tree.species.empty() ? "" : tree.species + ", ", tree.heightM,
                                      nameOf(tree.heightSource), tree.crownDiameterM, nameOf(tree.crownSource),
-                                     tree.evergreen ? "evergreen" : "loses its leaves"),
+                                     describeLeaves(tree, project.city->trees->leafDays)),
                          {{"species", tree.species},
                           {"lon_deg", at.lonDeg},
                           {"lat_deg", at.latDeg},
@@ -114,7 +123,9 @@ std::vector<Listed> listTrees(const Project& project) {
                           {"crown_source", nameOf(tree.crownSource)},
                           {"crown_base_m", tree.crownBaseM},
                           {"shape", nameOf(tree.shape)},
-                          {"evergreen", tree.evergreen}}});
+                          {"evergreen", tree.evergreen},
+                          {"leaf_on_day", dayJson(tree.leafOnDay)},
+                          {"leaf_off_day", dayJson(tree.leafOffDay)}}});
     }
     return lines;
 }
@@ -230,21 +241,6 @@ Result<std::string> replaceTrees(const TreeReplaceOptions& options, Project& pro
     });
 }
 
-// Of a year without 29 February.
-Result<int> parseDayOfYear(const std::string& text) {
-    using namespace std::chrono;
-    constexpr year common{2026};
-    const auto date = parseDate("2026-" + text);
-    if (!date) return failure("This is no day of the year", text, "Give MM-DD: 04-15");
-    return int((sys_days(*date) - sys_days(common / January / 1)).count()) + 1;
-}
-
-std::string describeDay(int dayOfYear) {
-    using namespace std::chrono;
-    const year_month_day date(sys_days(year{2026} / January / 1) + days(dayOfYear - 1));
-    return fmt::format("{:02}-{:02}", unsigned(date.month()), unsigned(date.day()));
-}
-
 Result<std::string> setLeafDays(const LeafOptions& options, Project& project) {
     if (!project.city->trees)
         return failure("The project has no trees", "leaves", "Read some: noonmark-cli project tree import");
@@ -262,7 +258,7 @@ Result<std::string> setLeafDays(const LeafOptions& options, Project& project) {
         trees.leafDays.on == trees.leafDays.off
             ? "All trees are in leaf all year\n"
             : fmt::format("Trees that lose their leaves have them from {} up to and without {}\n",
-                          describeDay(trees.leafDays.on), describeDay(trees.leafDays.off));
+                          formatDayOfYear(trees.leafDays.on), formatDayOfYear(trees.leafDays.off));
     City city = *project.city;
     city.trees = std::make_shared<const Trees>(std::move(trees));
     project.city = std::make_shared<const City>(std::move(city));

@@ -130,7 +130,7 @@ std::vector<CrownColumn> cutTurn(const std::vector<CrownColumn>& columns, int tu
 
 void SkyDrawing::drawCrowns(const PointCrowns& crowns) {
     for (const SeenCrown& crown : crowns.seen) {
-        const double through = crowns.inLeaf ? crown.leafOnTransmissivity : crown.leafOffTransmissivity;
+        const double through = crown.inLeaf ? crown.leafOnTransmissivity : crown.leafOffTransmissivity;
         for (int turn = 0; turn < 2; ++turn) {
             const std::vector<CrownColumn> piece = cutTurn(crown.columns, turn);
             if (piece.size() < 2) continue;

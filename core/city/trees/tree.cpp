@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -10,6 +11,7 @@
 
 #include "core/base/safe_text.h"
 #include "core/describe/choice.h"
+#include "core/sun/civil_time.h"
 
 namespace noonmark {
 
@@ -32,6 +34,43 @@ std::optional<CrownShape> parseCrownShape(std::string_view name) {
 std::string_view nameOf(TreeSource source) { return keyOf<TreeSource>(treeSourceNames, source); }
 std::optional<TreeSource> parseTreeSource(std::string_view name) {
     return findChoice<TreeSource>(treeSourceNames, name);
+}
+
+namespace {
+
+constexpr std::chrono::year commonYear{2026};
+
+std::chrono::sys_days newYear() { return commonYear / std::chrono::January / 1; }
+
+}  // namespace
+
+Result<int> parseDayOfYear(std::string_view text) {
+    const auto date = parseDate(fmt::format("{}-{}", int(commonYear), text));
+    if (!date) return failure("This is no day of the year", std::string(text), "Give MM-DD: 04-15");
+    return int((std::chrono::sys_days(*date) - newYear()).count()) + 1;
+}
+
+std::string formatDayOfYear(const int& dayOfYear) {
+    const std::chrono::year_month_day date(newYear() + std::chrono::days(std::clamp(dayOfYear, 1, 365) - 1));
+    return fmt::format("{:02}-{:02}", unsigned(date.month()), unsigned(date.day()));
+}
+
+LeafDays leafDaysOf(const Tree& tree, const LeafDays& ofCity) {
+    return {tree.leafOnDay.value_or(ofCity.on), tree.leafOffDay.value_or(ofCity.off)};
+}
+
+std::uint32_t LeafSeasons::of(const Tree& tree) const {
+    const LeafDays days = leafDaysOf(tree, days_.front());
+    const auto found = numbers_.find({days.on, days.off});
+    return tree.evergreen || found == numbers_.end() ? 0 : found->second;
+}
+
+std::uint32_t LeafSeasons::add(const Tree& tree) {
+    const LeafDays days = leafDaysOf(tree, days_.front());
+    if (tree.evergreen || days == days_.front()) return 0;
+    const auto [found, isNew] = numbers_.try_emplace({days.on, days.off}, std::uint32_t(days_.size()));
+    if (isNew) days_.push_back(days);
+    return found->second;
 }
 
 Warning makeTreeWarning(std::string where, std::string_view why) {

@@ -8,12 +8,15 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/base/warnings.h"
 
 namespace noonmark {
@@ -49,6 +52,10 @@ struct LeafDays {
     bool operator==(const LeafDays&) const = default;
 };
 
+/// The day of a common year of "04-15", 1 to 365, and back; 366 is written as 12-31. Error: no such day.
+Result<int> parseDayOfYear(std::string_view text);
+std::string formatDayOfYear(const int& dayOfYear);
+
 /// One tree. Lengths are metres. Its trunk casts no shadow.
 struct Tree {
     std::string sourceId;  ///< the feature it was read from: "node 2583920"
@@ -65,6 +72,8 @@ struct Tree {
     /// Share of the sun that passes the crown on a mean chord, 0 to 1, in leaf and without.
     float leafOnTransmissivity = 0;
     float leafOffTransmissivity = 0;
+    /// First day in leaf and first day without leaves, 1 to 366; none: that of the city's trees.
+    std::optional<int> leafOnDay = std::nullopt, leafOffDay = std::nullopt;
 
     bool operator==(const Tree&) const = default;
 };
@@ -74,10 +83,30 @@ class Fields;
 /// The fields of a tree but `groundM`, for files: the place in local metres, lengths in metres.
 const Fields<Tree>& treeRecordFields();
 
+/// When a tree that is not evergreen has its leaves: on its own days, where it states some.
+LeafDays leafDaysOf(const Tree& tree, const LeafDays& ofCity);
+
+/// The leaf days of some trees of a city, each pair once: the city's are number 0.
+class LeafSeasons {
+public:
+    explicit LeafSeasons(const LeafDays& ofCity) : days_{ofCity} {}
+    /// The number of a tree's days; 0 for evergreens.
+    std::uint32_t add(const Tree& tree);
+    /// The number of a tree that was added.
+    [[nodiscard]] std::uint32_t of(const Tree& tree) const;
+    [[nodiscard]] const std::vector<LeafDays>& days() const { return days_; }
+    /// Whether all trees follow the city's days.
+    [[nodiscard]] bool areOne() const { return days_.size() == 1; }
+
+private:
+    std::vector<LeafDays> days_;
+    std::map<std::pair<int, int>, std::uint32_t> numbers_;  ///< of days that are not the city's
+};
+
 /// The trees of a city: immutable as its buildings are.
 struct Trees {
     std::vector<Tree> trees;
-    LeafDays leafDays;  ///< of those that are not evergreen
+    LeafDays leafDays;  ///< of those that are not evergreen and state no days of their own
     /// Whether engines weigh them. Only questions that measure with trees set it (treesNotMeasured); the
     /// fields of all others are those without trees.
     bool weighed = false;
@@ -106,8 +135,9 @@ struct Crown {
     double bottomM = 0, topM = 0;  ///< local z; topM > bottomM
     double radiusM = 0;            ///< > 0
     CrownShape shape = CrownShape::ellipsoid;
-    double leafOnPerM = 0;   ///< optical depth of a metre of path in leaf
-    double leafOffPerM = 0;  ///< and out of season; of evergreens the same
+    double leafOnPerM = 0;     ///< optical depth of a metre of path in leaf
+    double leafOffPerM = 0;    ///< and out of season; of evergreens the same
+    std::uint32_t season = 0;  ///< LeafSeasons: 0 the city's
 };
 
 /// The crown of a tree. The optical depth of a metre is -ln(transmissivity) / the crown's mean chord.

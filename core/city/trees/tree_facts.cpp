@@ -163,7 +163,9 @@ Tree makeCanopyColumn(const TreeFacts& facts) {
         .heightSource = facts.heightM ? TreeSource::measured : TreeSource::assumed,
         .crownSource = facts.sourceId == canopyRasterId ? TreeSource::measured : TreeSource::assumed,
         .leafOnTransmissivity = float(std::pow(double(group.leafOn), chords)),
-        .leafOffTransmissivity = float(std::pow(double(evergreen ? group.leafOn : group.leafOff), chords))};
+        .leafOffTransmissivity = float(std::pow(double(evergreen ? group.leafOn : group.leafOff), chords)),
+        .leafOnDay = facts.leafOnDay,
+        .leafOffDay = facts.leafOffDay};
 }
 
 }  // namespace
@@ -185,7 +187,9 @@ Tree completeTree(const TreeFacts& facts) {
             .leafOnTransmissivity = group.leafOn,
             .leafOffTransmissivity = evergreen         ? group.leafOn
                                      : group.evergreen ? listTreeGroups().front().leafOff
-                                                       : group.leafOff};
+                                                       : group.leafOff,
+            .leafOnDay = facts.leafOnDay,
+            .leafOffDay = facts.leafOffDay};
 }
 
 Tree growTree(const Tree& tree, double years) {

@@ -42,8 +42,9 @@ struct TreeFacts {
     std::optional<double> crownDiameterM;
     std::optional<double> crownBaseM;  ///< above its foot
     std::optional<double> stemDiameterM;
-    std::optional<bool> evergreen;  ///< leaf cycle
-    std::optional<bool> needles;    ///< leaf type
+    std::optional<bool> evergreen;                                           ///< leaf cycle
+    std::optional<bool> needles;                                             ///< leaf type
+    std::optional<int> leafOnDay = std::nullopt, leafOffDay = std::nullopt;  ///< as those of Tree
     /// Area of the cell, where the tree is one cell of a canopy raster, or of a wood (coverWithCanopy()). The
     /// tree is a cylinder of that area.
     std::optional<double> canopyCellM2;
@@ -53,7 +54,7 @@ struct TreeFacts {
 /// group (findTreeGroup()). The facts must be plausible; readers leave others out with a warning.
 Tree completeTree(const TreeFacts& facts);
 
-/// What a user states of a new tree: species, height, crown, crown base and stem.
+/// What a user states of a new tree: species, height, crown, crown base, stem and leaves.
 const Fields<TreeFacts>& treeFactFields();
 
 /// The tree after `years`, 0 to 200: its crown grows as its stem does, by the same width each year, its

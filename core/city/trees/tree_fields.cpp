@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+
 #include "core/city/trees/tree_facts.h"
 #include "core/describe/field.h"
 #include "core/describe/text.h"
@@ -32,6 +35,24 @@ Result<E> orUnknown(const std::optional<E>& found, std::string_view text) {
 std::string formatSource(TreeSource source) { return std::string(nameOf(source)); }
 Result<TreeSource> parseSource(std::string_view text) { return orUnknown(parseTreeSource(text), text); }
 
+constexpr std::array leafCycles{KeyedLabel{"evergreen", NM_TEXT("evergreen")},
+                                KeyedLabel{"deciduous", NM_TEXT("loses its leaves")}};
+
+Value leafCycleOf(const TreeFacts& facts) {
+    return facts.evergreen ? Value(std::string(leafCycles[*facts.evergreen ? 0 : 1].key)) : Value();
+}
+
+Result<void> setLeafCycle(TreeFacts& facts, const Value& value) {
+    facts.evergreen.reset();
+    if (value == Value()) return {};
+    const auto* key = std::get_if<std::string>(&value);
+    const auto found =
+        key ? std::ranges::find(leafCycles, *key, &KeyedLabel::key) : std::ranges::end(leafCycles);
+    if (found == leafCycles.end()) return failure("Leaves are evergreen or deciduous", key ? *key : "");
+    facts.evergreen = found == leafCycles.begin();
+    return {};
+}
+
 }  // namespace
 
 const Fields<Tree>& treeRecordFields() {
@@ -52,6 +73,8 @@ const Fields<Tree>& treeRecordFields() {
         textField<Tree, TreeSource>(&Tree::crownSource, formatSource, parseSource, {.key = "crown_source"}),
         field(&Tree::leafOnTransmissivity, shareFacts("leaf_on")),
         field(&Tree::leafOffTransmissivity, shareFacts("leaf_off")),
+        textField(&Tree::leafOnDay, formatDayOfYear, parseDayOfYear, {.key = "leaf_on_day"}),
+        textField(&Tree::leafOffDay, formatDayOfYear, parseDayOfYear, {.key = "leaf_off_day"}),
     };
     return fields;
 }
@@ -92,6 +115,30 @@ const Fields<TreeFacts>& treeFactFields() {
                                           .unit = "m",
                                           .range = ValueRange{0.01, 5},
                                           .whenEmpty = NM_TEXT("not known")}),
+        derivedField<TreeFacts>(ValueKind::choice, leafCycleOf, setLeafCycle,
+                                {.key = "leaves",
+                                 .flag = "--leaves",
+                                 .label = NM_TEXT("Leaves"),
+                                 .help = NM_TEXT("Whether it keeps its leaves (default: as its genus)"),
+                                 .hint = "CYCLE",
+                                 .whenEmpty = NM_TEXT("as its genus")})
+            .among(leafCycles),
+        textField(&TreeFacts::leafOnDay, formatDayOfYear, parseDayOfYear,
+                  {.key = "leaf_on_day",
+                   .flag = "--leaf-on",
+                   .label = NM_TEXT("First day in leaf"),
+                   .help = NM_TEXT("First day in leaf of a tree that loses its leaves (default: as the "
+                                   "city's trees)"),
+                   .hint = "MM-DD",
+                   .whenEmpty = NM_TEXT("MM-DD; as the city's trees")}),
+        textField(&TreeFacts::leafOffDay, formatDayOfYear, parseDayOfYear,
+                  {.key = "leaf_off_day",
+                   .flag = "--leaf-off",
+                   .label = NM_TEXT("First day without leaves"),
+                   .help = NM_TEXT("First day without leaves of a tree that loses them (default: as the "
+                                   "city's trees)"),
+                   .hint = "MM-DD",
+                   .whenEmpty = NM_TEXT("MM-DD; as the city's trees")}),
     };
     return fields;
 }

@@ -154,7 +154,7 @@ Result<ShadowField> sweepHorizons(const City& city, const Receivers& receivers, 
     std::optional<CrownSweep> crownSweep;
     PeriodSweep sweep(walls, *overhanging, receivers, sun, binned, settings.counts, rays ? &*rays : nullptr,
                       progress, stop);
-    if (!crowns.empty())
+    if (!crowns.empty() && crowns.phases.empty())
         crownSweep.emplace(
             crowns, binned, makeOneSet(sun), receivers.grid, walls.datumM,
             sweep.countsCrownRuns() ? CrownSweep::widestGroupOfRunsDeg : CrownSweep::widestGroupDeg);
@@ -185,9 +185,57 @@ bool areRaysQuicker(const SunSteps& sun) {
     return binsOfRay * sun.steps.size() <= binCount(sun, HorizonSweepSettings());
 }
 
+namespace {
+
+/// A period's steps of one leaf phase.
+struct PhaseSteps {
+    SunSteps sun;
+    StepSets sets;
+    CrownScene crowns;  ///< whose depth out of season is that in the phase
+};
+
+PhaseSteps selectPhase(std::size_t phase, const CrownScene& crowns, const SunSteps& sun,
+                       const StepSets& sets) {
+    const StepSets phases{{}, crowns.phases.ofStep};
+    PhaseSteps own{phases.stepsOf(phase, sun), {sets.names, {}}, {crowns.crowns, crowns.trees}};
+    for (std::size_t step = 0; step < sun.steps.size(); ++step)
+        if (phases.ofStep[step] == phase) own.sets.ofStep.push_back(sets.ofStep[step]);
+    own.crowns.inLeaf.assign(own.sun.steps.size(), 0);
+    for (Crown& crown : own.crowns.crowns) crown.leafOffPerM = crowns.phases.perM(phase, crown);
+    return own;
+}
+
+void addMinutes(std::vector<std::vector<float>>& sum, const std::vector<std::vector<float>>& more) {
+    if (sum.empty()) sum.resize(more.size());
+    for (std::size_t set = 0; set < more.size(); ++set) {
+        sum[set].resize(more[set].size());
+        for (std::size_t i = 0; i < more[set].size(); ++i) sum[set][i] += more[set][i];
+    }
+}
+
+// One sweep for each phase, which the steps of the others do not enter.
+Result<TakenBySet> sweepPhases(const City& city, const CrownScene& crowns, const Receivers& receivers,
+                               const SunSteps& sun, const StepSets& sets, Progress& progress,
+                               const std::stop_token& stop) {
+    TakenBySet sum{.treesUsed = crowns.crowns.size()};
+    for (std::size_t phase = 0; phase < crowns.phases.count(); ++phase) {
+        ProgressShare share(progress, phase, crowns.phases.count());
+        const PhaseSteps own = selectPhase(phase, crowns, sun, sets);
+        auto taken = sweepCrowns(city, own.crowns, receivers, own.sun, own.sets, share, stop);
+        if (!taken) return taken;
+        addMinutes(sum.evergreen, taken->evergreen);
+        addMinutes(sum.seasonal, taken->seasonal);
+        sum.how = taken->how;
+    }
+    return sum;
+}
+
+}  // namespace
+
 Result<TakenBySet> sweepCrowns(const City& city, const CrownScene& crowns, const Receivers& receivers,
                                const SunSteps& sun, const StepSets& sets, Progress& progress,
                                const std::stop_token& stop) {
+    if (!crowns.phases.empty()) return sweepPhases(city, crowns, receivers, sun, sets, progress, stop);
     OverhangParts overhangs;
     const WallList walls =
         collectStandingObstacles(city, findBuildingsInReach(city, receivers, sun), receivers, overhangs);

@@ -40,7 +40,7 @@ public:
         std::atomic<std::size_t> done{0};
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points_.size(), 16), [&](const auto& range) {
             const FlushDenormals flush;
-            CrownsOverPoint crowns(crowns_.crowns, patches_);
+            CrownsOverPoint crowns(crowns_.crowns, patches_, crowns_.phases);
             for (std::size_t i = range.begin(); i < range.end() && !stop.stop_requested(); ++i)
                 shade(i, crowns);
             progress.report(double(done += range.size()) / double(points_.size()),
@@ -67,7 +67,7 @@ private:
             const std::uint32_t starts = sun_.steps[i].slot == slotBefore + 1 ? 0 : 1;
             slotBefore = sun_.steps[i].slot;
             const bool isShaded = shaded[i] != 0;
-            const auto depth = isShaded ? CrownsOverPoint::Depth{0, 0} : crowns.at(patches_.ofStep(i));
+            const auto depth = isShaded ? CrownsOverPoint::Depth{0, 0} : crowns.at(i);
             const double season = crowns_.inLeaf[i] != 0 ? depth.inLeaf : depth.bare;
             evergreen.add(isShaded, -std::expm1(-depth.inLeaf), month, starts, made_.shadedFrom);
             seasonal.add(isShaded, -std::expm1(-season), month, starts, made_.shadedFrom);

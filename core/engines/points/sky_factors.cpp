@@ -167,7 +167,7 @@ constexpr double columnWidth = 2 * std::numbers::pi / skyAzimuths,
 constexpr double lowestCrownTan = 0.004;  // of crowns that are looked at: half of the lowest direction
 
 struct SkyDepth {
-    double inLeaf = 0, bare = 0;  // optical depths
+    double inLeaf = 0, bare = 0;  // optical depths, as CrownsOverPoint::Depth
 };
 
 /// The directions of one azimuth.
@@ -176,7 +176,7 @@ struct SkyColumn {
     std::array<SkyDepth, skyAltitudes> depths{};
     int first = skyAltitudes, end = 0;  // those that crowns are in
 
-    void add(const Crown& crown, glm::dvec3 origin) {
+    void add(const Crown& crown, double barePerM, glm::dvec3 origin) {
         const double distance = std::hypot(crown.x - origin.x, crown.y - origin.y);
         const double near = std::max(0.0, distance - crown.radiusM), far = distance + crown.radiusM;
         const auto altitudeOf = [&](double upM, double awayM) {
@@ -185,17 +185,17 @@ struct SkyColumn {
         const double top = crown.topM - origin.z, bottom = crown.bottomM - origin.z;
         const int from = std::clamp(altitudeOf(bottom, bottom > 0 ? far : near), 0, skyAltitudes - 1);
         const int to = std::clamp(altitudeOf(top, near), 0, skyAltitudes - 1);
-        for (int i = from; i <= to; ++i) addChord(crown, origin, i);
+        for (int i = from; i <= to; ++i) addChord(crown, barePerM, origin, i);
         first = std::min(first, from);
         end = std::max(end, to + 1);
     }
 
 private:
-    void addChord(const Crown& crown, glm::dvec3 origin, int i) {
+    void addChord(const Crown& crown, double barePerM, glm::dvec3 origin, int i) {
         const double altitude = (i + 0.5) * altitudeStep, level = std::cos(altitude);
         const double chord = computeChord(crown, origin, {level * sine, level * cosine, std::sin(altitude)});
         depths[std::size_t(i)].inLeaf += chord * crown.leafOnPerM;
-        depths[std::size_t(i)].bare += chord * crown.leafOffPerM;
+        depths[std::size_t(i)].bare += chord * barePerM;
     }
 };
 
@@ -224,14 +224,30 @@ double computeLight(const SkyColumn& column, glm::dvec3 normal, int i) {
 
 SkyCrowns::SkyCrowns(const City& city) {
     if (!city.trees) return;
-    for (const Tree& tree : city.trees->trees) crowns_.push_back(makeCrown(tree));
-    constexpr int days = 365;
-    int inLeaf = 0;
-    for (int day = 1; day <= days; ++day) inLeaf += city.trees->leafDays.inLeafOn(day) ? 1 : 0;
-    shareInLeaf_ = double(inLeaf) / days;
+    LeafSeasons seasons(city.trees->leafDays);
+    for (const Tree& tree : city.trees->trees) {
+        crowns_.push_back(makeCrown(tree));
+        crowns_.back().season = seasons.add(tree);
+    }
+    std::vector<int> days(365);
+    std::iota(days.begin(), days.end(), 1);
+    phases_ = findLeafPhases(seasons, days);
+    shares_.assign(phases_.count(), 0);
+    for (std::size_t i = 0; i < days.size(); ++i) shares_[phases_.at(i)] += 1;
+    for (double& share : shares_) share /= double(days.size());
+    const auto inLeaf =
+        std::ranges::count_if(days, [&](int day) { return city.trees->leafDays.inLeafOn(day); });
+    shareInLeaf_ = phases_.empty() ? double(inLeaf) / double(days.size()) : 0;
 }
 
 double SkyCrowns::takenPct(const SkyPoint& point, const Skyline& skyline) const {
+    double sum = 0;
+    for (std::size_t phase = 0; phase < shares_.size(); ++phase)
+        sum += shares_[phase] * takenPct(point, skyline, phase);
+    return sum;
+}
+
+double SkyCrowns::takenPct(const SkyPoint& point, const Skyline& skyline, std::size_t phase) const {
     const glm::dvec3 origin(placeSurfaceRayOrigin(point.position, point.normal));
     std::vector<std::uint32_t> all(crowns_.size());
     std::iota(all.begin(), all.end(), 0U);
@@ -246,7 +262,8 @@ double SkyCrowns::takenPct(const SkyPoint& point, const Skyline& skyline) const 
         SkyColumn column{std::sin(azimuth), std::cos(azimuth)};
         const auto crowns = around.at(CrownsAround::slotOf({column.sine, column.cosine, 0}));
         if (crowns.empty()) continue;
-        for (const std::uint32_t crown : crowns) column.add(crowns_[crown], origin);
+        for (const std::uint32_t crown : crowns)
+            column.add(crowns_[crown], phases_.perM(phase, crowns_[crown]), origin);
         const auto hidden = skyline.hiddenAt(azimuth);
         for (int k = column.first; k < column.end; ++k)
             sum += computeLight(column, glm::dvec3(point.normal), k) * visibleShare(hidden, k) *

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/city/city.h"
-#include "core/city/trees/tree.h"
 #include "core/engines/points/skyline.h"
+#include "core/engines/trees/crowns.h"
 
 namespace noonmark {
 
@@ -38,8 +38,12 @@ public:
     [[nodiscard]] double takenPct(const SkyPoint& point, const Skyline& skyline) const;
 
 private:
+    [[nodiscard]] double takenPct(const SkyPoint& point, const Skyline& skyline, std::size_t phase) const;
+
     std::vector<Crown> crowns_;
-    double shareInLeaf_ = 1;  // of the days of a year
+    LeafPhases phases_;           // of the days of a year
+    std::vector<double> shares_;  // of each phase
+    double shareInLeaf_ = 1;      // of the days; 0 where there are phases
 };
 
 }  // namespace noonmark

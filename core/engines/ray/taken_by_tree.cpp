@@ -22,6 +22,7 @@ constexpr double maxRaysOfTrees = 1e8;
 /// Steps of one patch of the sun.
 struct PatchSteps {
     double inLeaf = 0, bare = 0;  // minutes, with the leaves on and off
+    std::size_t phase = 0;
 };
 
 /// What crowns take from one receiver, minutes by crown; only of those that take some.
@@ -61,16 +62,17 @@ private:
     void addPatch(glm::vec3 origin, std::uint32_t patch) {
         onRay_.clear();
         double inLeaf = 0, bare = 0;
+        const PatchSteps& steps = steps_[patch];
         for (const std::uint32_t index : around_.at(patches_.slot(patch))) {
             const Crown& crown = crowns_.crowns[index];
             const double chord = computeChord(crown, glm::dvec3(origin), patches_.direction(patch));
             if (chord <= 0) continue;
-            onRay_.push_back({index, chord * crown.leafOnPerM, chord * crown.leafOffPerM});
+            onRay_.push_back(
+                {index, chord * crown.leafOnPerM, chord * crowns_.phases.perM(steps.phase, crown)});
             inLeaf += onRay_.back().inLeaf;
             bare += onRay_.back().bare;
         }
         if (onRay_.empty() || scene_.occluded(origin, glm::vec3(patches_.direction(patch)))) return;
-        const PatchSteps& steps = steps_[patch];
         for (const OnRay& one : onRay_) {
             CrownTaken& sum = sumOf(one.crown);
             const double shareOn = shareOf(one.inLeaf, inLeaf), shareOff = shareOf(one.bare, bare);
@@ -108,6 +110,7 @@ std::vector<PatchSteps> countPatchSteps(const SunPatches& patches, const CrownSc
     std::vector<PatchSteps> all(patches.count());
     for (std::size_t step = 0; step < sun.steps.size(); ++step) {
         PatchSteps& patch = all[patches.ofStep(step)];
+        patch.phase = crowns.phases.at(step);
         (crowns.inLeaf[step] != 0 ? patch.inLeaf : patch.bare) += sun.stepMinutes;
     }
     return all;
@@ -160,7 +163,7 @@ Result<TakenByTree> traceTakenByTree(const City& city, const Receivers& receiver
     if (crowns.empty()) return TakenByTree{};
     const auto scene = RayScene::over(city, findBuildingsInReach(city, receivers, sun), stop);
     if (!scene) return tl::make_unexpected(scene.error());
-    const SunPatches patches(sun);
+    const SunPatches patches(sun.steps, SunPatches::sunDeg, crowns.phases.ofStep);
     const std::vector<PatchSteps> steps = countPatchSteps(patches, crowns, sun);
     const std::vector<std::size_t> chosen = spreadCells(receivers.cells.size(), patches.count());
     const double cellM2 =

@@ -136,12 +136,13 @@ private:
     void addStep(std::size_t step, int lane, bool blocked, glm::dvec3 origin, const CrownsAround& around,
                  CrownColumn& evergreen, CrownColumn& seasonal) const {
         double inLeaf = 0, bare = 0;  // optical depths
+        const std::size_t phase = crowns_.phases.at(step);
         if (!blocked)
             for (const std::uint32_t index : around.at(sun_.slots[step])) {
                 const Crown& crown = crowns_.crowns[index];
                 const double chord = computeChord(crown, origin, sun_.directions[step]);
                 inLeaf += chord * crown.leafOnPerM;
-                bare += chord * crown.leafOffPerM;
+                bare += chord * crowns_.phases.perM(phase, crown);
             }
         const double season = crowns_.inLeaf[step] != 0 ? inLeaf : bare;
         evergreen.add(lane, blocked, -std::expm1(-inLeaf), shade_.shadedFrom);

@@ -6,6 +6,9 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
+#include <utility>
 
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/trees/crowns_around.h"
@@ -34,21 +37,60 @@ bool isInLeaf(const LeafDays& leafDays, CivilDate date) { return leafDays.inLeaf
 
 namespace {
 
-CrownScene makeScene(const City& city, const std::vector<std::uint32_t>& trees, const SunSteps& sun) {
-    CrownScene scene{.trees = trees};
-    for (const std::uint32_t tree : trees) scene.crowns.push_back(makeCrown(city.trees->trees[tree]));
-    if (scene.empty()) return scene;
+Crown makeCrown(const Tree& tree, LeafSeasons& seasons) {
+    Crown crown = noonmark::makeCrown(tree);
+    crown.season = seasons.add(tree);
+    return crown;
+}
+
+}  // namespace
+
+LeafPhases findLeafPhases(const LeafSeasons& seasons, std::span<const int> days) {
+    LeafPhases phases;
+    if (seasons.areOne()) return phases;
+    std::map<std::string, std::uint16_t> known;  // by a letter for each season
+    for (const int day : days) {
+        std::vector<std::uint8_t> inLeaf;
+        for (const LeafDays& season : seasons.days()) inLeaf.push_back(season.inLeafOn(day) ? 1 : 0);
+        const auto [found, isNew] =
+            known.try_emplace(std::string(inLeaf.begin(), inLeaf.end()), std::uint16_t(phases.inLeaf.size()));
+        if (isNew) phases.inLeaf.push_back(std::move(inLeaf));
+        phases.ofStep.push_back(found->second);
+    }
+    return phases;
+}
+
+LeafPhases findLeafPhases(const LeafSeasons& seasons, const SunSteps& sun) {
+    if (seasons.areOne()) return {};
+    std::vector<int> days;
+    for (const SunDay& day : sun.days) days.push_back(dayOfYear(day.date));
+    LeafPhases phases = findLeafPhases(seasons, days);
+    std::vector<std::uint16_t> ofStep(sun.steps.size());
+    for (std::size_t i = 0; i < sun.days.size(); ++i)
+        std::fill_n(ofStep.begin() + sun.days[i].first, sun.days[i].count, phases.ofStep[i]);
+    phases.ofStep = std::move(ofStep);
+    return phases;
+}
+
+CrownScene makeCrownScene(const City& city, std::vector<std::uint32_t> trees, const SunSteps& sun) {
+    CrownScene scene{.trees = std::move(trees)};
+    if (scene.trees.empty()) return scene;
+    LeafSeasons seasons(city.trees->leafDays);
+    for (const std::uint32_t tree : scene.trees)
+        scene.crowns.push_back(makeCrown(city.trees->trees[tree], seasons));
     scene.inLeaf.assign(sun.steps.size(), 0);
+    if (!seasons.areOne()) {
+        scene.phases = findLeafPhases(seasons, sun);
+        return scene;
+    }
     for (const SunDay& day : sun.days)
         if (isInLeaf(city.trees->leafDays, day.date))
             std::fill_n(scene.inLeaf.begin() + day.first, day.count, std::uint8_t{1});
     return scene;
 }
 
-}  // namespace
-
 CrownScene findCrowns(const City& city, const Receivers& receivers, const SunSteps& sun) {
-    return makeScene(city, findTreesInReach(city, receivers, sun), sun);
+    return makeCrownScene(city, findTreesInReach(city, receivers, sun), sun);
 }
 
 CrownScene findCrowns(const City& city, const SurfacePoints& points, const SunSteps& sun) {
@@ -58,7 +100,7 @@ CrownScene findCrowns(const City& city, const SurfacePoints& points, const SunSt
         box.add(glm::vec2(place));
         lowestM = std::min(lowestM, place.z);
     }
-    return makeScene(city, findTreesInReach(city, box, lowestM, sun), sun);
+    return makeCrownScene(city, findTreesInReach(city, box, lowestM, sun), sun);
 }
 
 TreeShade makeTreeShade(const ShadowField& without, std::size_t treesUsed) {
@@ -90,16 +132,19 @@ std::vector<std::uint32_t> findCrownsNear(const std::vector<Crown>& crowns,
 }  // namespace
 
 CrownMasks::CrownMasks(const City& city, const Box2& receivers, float lowestM, const SunSteps& sun) {
-    for (const std::uint32_t tree : findTreesInReach(city, receivers, lowestM, sun))
-        crowns_.push_back(makeCrown(city.trees->trees[tree]));
-    if (!empty()) leafDays_ = city.trees->leafDays;
+    const std::vector<std::uint32_t> trees = findTreesInReach(city, receivers, lowestM, sun);
+    if (!trees.empty()) seasons_ = LeafSeasons(city.trees->leafDays);
+    for (const std::uint32_t tree : trees) crowns_.push_back(makeCrown(city.trees->trees[tree], seasons_));
 }
 
 void CrownMasks::addTo(StepMasks& masks, CivilDate day, std::span<const SunStep> steps,
                        std::span<const glm::vec3> origins) const {
     if (empty() || steps.empty() || origins.empty()) return;
     const SunPatches patches(steps);
-    const bool inLeaf = isInLeaf(leafDays_, day);
+    const bool inLeaf = isInLeaf(seasons_.days().front(), day);
+    const int ofYear[]{dayOfYear(day)};
+    LeafPhases phase = findLeafPhases(seasons_, ofYear);
+    if (!phase.empty()) phase.ofStep.assign(steps.size(), 0);
     // Each word of a step belongs to one task.
     tbb::parallel_for(std::size_t{0}, masks.wordsPerStep(), [&](std::size_t word) {
         const FlushDenormals flush;
@@ -107,12 +152,12 @@ void CrownMasks::addTo(StepMasks& masks, CivilDate day, std::span<const SunStep>
                           count = std::min(receiversOfWord, origins.size() - first);
         const auto near = findCrownsNear(crowns_, origins.subspan(first, count), patches.lowestTan());
         if (near.empty()) return;
-        CrownsOverPoint over(crowns_, patches);
+        CrownsOverPoint over(crowns_, patches, phase);
         for (std::size_t receiver = first; receiver < first + count; ++receiver) {
             if (!over.begin(glm::dvec3(origins[receiver]), near)) continue;
             for (std::uint32_t step = 0; step < steps.size(); ++step)
                 if (!masks.shaded(step, receiver) &&
-                    over.at(patches.ofStep(step)).takenShare(inLeaf) >= TreeShade::defaultShadedFrom)
+                    over.at(step).takenShare(inLeaf && phase.empty()) >= TreeShade::defaultShadedFrom)
                     masks.shade(step, receiver);
         }
     });

@@ -22,11 +22,33 @@
 
 namespace noonmark {
 
+/// The parts of a period in each of which the same crowns are in leaf, where some trees have leaf days of
+/// their own. Empty where all follow the city's days.
+struct LeafPhases {
+    std::vector<std::uint16_t> ofStep;              ///< or of each day; in time order
+    std::vector<std::vector<std::uint8_t>> inLeaf;  ///< by phase and Crown::season
+    [[nodiscard]] bool empty() const { return ofStep.empty(); }
+    [[nodiscard]] std::size_t count() const { return empty() ? 1 : inLeaf.size(); }
+    [[nodiscard]] std::size_t at(std::size_t step) const { return empty() ? 0 : ofStep[step]; }
+    /// Optical depth of a metre of a crown in a phase; without phases that of a crown out of season.
+    [[nodiscard]] double perM(std::size_t phase, const Crown& crown) const {
+        return !empty() && inLeaf[phase][crown.season] != 0 ? crown.leafOnPerM : crown.leafOffPerM;
+    }
+};
+
+/// `days`: of the year, 1 to 366, in time order. Empty where there is one season.
+LeafPhases findLeafPhases(const LeafSeasons& seasons, std::span<const int> days);
+/// The same of the steps of a period.
+LeafPhases findLeafPhases(const LeafSeasons& seasons, const SunSteps& sun);
+
 /// The crowns whose shadow can fall on a receiver at some step, and when they are in leaf.
 struct CrownScene {
     std::vector<Crown> crowns;
     std::vector<std::uint32_t> trees;  ///< of each crown: index in City::trees
-    std::vector<std::uint8_t> inLeaf;  ///< one per step: 1 where trees that lose their leaves have them
+    /// One per step: 1 where trees that lose their leaves have them. All 0 where there are phases: what is
+    /// bare by the step's phase then is `phases.perM()`.
+    std::vector<std::uint8_t> inLeaf;
+    LeafPhases phases;
     [[nodiscard]] bool empty() const { return crowns.empty(); }
 };
 
@@ -43,6 +65,9 @@ struct TakenBySet {
 
 /// Whether trees that lose their leaves have them on that day.
 bool isInLeaf(const LeafDays& leafDays, CivilDate date);
+
+/// The crowns of these trees of a city, by their indices.
+CrownScene makeCrownScene(const City& city, std::vector<std::uint32_t> trees, const SunSteps& sun);
 
 /// O(cells + trees + steps).
 CrownScene findCrowns(const City& city, const Receivers& receivers, const SunSteps& sun);
@@ -70,7 +95,7 @@ public:
 
 private:
     std::vector<Crown> crowns_;
-    LeafDays leafDays_;
+    LeafSeasons seasons_{LeafDays{}};
 };
 
 }  // namespace noonmark

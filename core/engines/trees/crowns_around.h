@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/city/trees/tree.h"
+#include "core/engines/trees/crowns.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
@@ -69,15 +70,15 @@ public:
     static constexpr double sunDeg = 0.5;
 
     explicit SunPatches(const SunSteps& sun) : SunPatches(std::span(sun.steps)) {}
-    /// `apart`: of each step one of two kinds, whose suns are never in one patch; empty: there is one kind.
+    /// `apart`: the kind of each step; suns of two kinds are never in one patch; empty: there is one kind.
     explicit SunPatches(std::span<const SunStep> steps, double sideDeg = sunDeg,
-                        std::span<const std::uint8_t> apart = {}) {
+                        std::span<const std::uint16_t> apart = {}) {
         std::unordered_map<std::int64_t, std::uint32_t> known;
         std::vector<glm::dvec3> sums;
         for (std::size_t i = 0; i < steps.size(); ++i) {
             const glm::dvec3 direction = glm::normalize(glm::dvec3(steps[i].direction));
             lowestTan_ = std::min(lowestTan_, direction.z / std::hypot(direction.x, direction.y));
-            const std::int64_t key = keyOf(direction, sideDeg) * 2 + (apart.empty() ? 0 : apart[i]);
+            const std::int64_t key = keyOf(direction, sideDeg) * 65536 + (apart.empty() ? 0 : apart[i]);
             const auto [found, isNew] = known.try_emplace(key, std::uint32_t(sums.size()));
             if (isNew) sums.emplace_back(0);
             sums[found->second] += direction;
@@ -112,11 +113,15 @@ private:
 };
 
 /// What crowns let through to one point, found where it is asked for. Reuses its memory; for one thread.
-/// Crowns and patches must outlive it.
+/// Crowns, patches and phases must outlive it.
 class CrownsOverPoint {
 public:
-    CrownsOverPoint(const std::vector<Crown>& crowns, const SunPatches& patches)
-        : crowns_(crowns), patches_(patches), all_(crowns.size()), depths_(patches.count()) {
+    CrownsOverPoint(const std::vector<Crown>& crowns, const SunPatches& patches, const LeafPhases& phases)
+        : crowns_(crowns),
+          patches_(patches),
+          phases_(phases),
+          all_(crowns.size()),
+          depths_(patches.count() * phases.count()) {
         std::iota(all_.begin(), all_.end(), 0U);
     }
 
@@ -129,21 +134,26 @@ public:
     }
 
     struct Depth {
-        double inLeaf = -1, bare = 0;  ///< optical depths; inLeaf < 0: not found yet
-        /// Share of the sun that is taken.
+        /// Optical depths with all crowns in leaf, and out of season or in the step's phase. inLeaf < 0: not
+        /// found yet.
+        double inLeaf = -1, bare = 0;
+        /// Share of the sun that is taken. `isInLeaf`: CrownScene::inLeaf.
         [[nodiscard]] double takenShare(bool isInLeaf) const {
             return -std::expm1(-(isInLeaf ? inLeaf : bare));
         }
     };
-    const Depth& at(std::uint32_t patch) {
-        Depth& depth = depths_[patch];
+    /// Of a step of the patches.
+    const Depth& at(std::size_t step) {
+        const std::uint32_t patch = patches_.ofStep(step);
+        const std::size_t phase = phases_.at(step);
+        Depth& depth = depths_[patch * phases_.count() + phase];
         if (depth.inLeaf >= 0) return depth;
         depth = {0, 0};
         for (const std::uint32_t index : around_.at(patches_.slot(patch))) {
             const Crown& crown = crowns_[index];
             const double chord = computeChord(crown, origin_, patches_.direction(patch));
             depth.inLeaf += chord * crown.leafOnPerM;
-            depth.bare += chord * crown.leafOffPerM;
+            depth.bare += chord * phases_.perM(phase, crown);
         }
         return depth;
     }
@@ -151,6 +161,7 @@ public:
 private:
     const std::vector<Crown>& crowns_;
     const SunPatches& patches_;
+    const LeafPhases& phases_;
     std::vector<std::uint32_t> all_;
     std::vector<Depth> depths_;
     CrownsAround around_;

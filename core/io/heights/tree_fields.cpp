@@ -93,6 +93,8 @@ constexpr std::array listedTreeFields{
     TreeFieldName{"leaftype", TreeRole::leafType},     // OpenStreetMap
     TreeFieldName{"baumtyptext", TreeRole::leafType},  // Zurich
     TreeFieldName{"baumtyp", TreeRole::leafType},
+    TreeFieldName{"leafonday", TreeRole::leafOnDay},  // projects
+    TreeFieldName{"leafoffday", TreeRole::leafOffDay},
     TreeFieldName{"status", TreeRole::status},  // New York
     TreeFieldName{"treestatus", TreeRole::status},
     TreeFieldName{"currentstatus", TreeRole::status},    // Seattle
@@ -129,6 +131,8 @@ constexpr std::array treeRoles{
     TreeRoleEntry{TreeRole::species, "species", NM_TEXT("Species")},
     TreeRoleEntry{TreeRole::genus, "genus", NM_TEXT("Genus")},
     TreeRoleEntry{TreeRole::leafCycle, "leaf-cycle", NM_TEXT("Leaf cycle")},
+    TreeRoleEntry{TreeRole::leafOnDay, "leaf-on", NM_TEXT("First day in leaf")},
+    TreeRoleEntry{TreeRole::leafOffDay, "leaf-off", NM_TEXT("First day without leaves")},
 };
 
 // In small letters, without what is no letter or digit.
@@ -186,6 +190,21 @@ public:
             {WarningKind::leftOut,
              metres ? "a measure of a tree that no tree has" : "a measure of a tree that is no number",
              where_ + ": " + field->field + " " + std::string(written)});
+        return std::nullopt;
+    }
+
+    // "04-15", "2026-04-15", or the number of a day.
+    std::optional<int> day(TreeRole role) {
+        const std::string_view written = text(role);
+        if (written.empty() || written == "0") return std::nullopt;
+        constexpr std::size_t yearLetters = 5;  // "2026-"
+        const bool hasYear = written.size() >= 10 && written[4] == '-';
+        if (const auto found = parseDayOfYear(hasYear ? written.substr(yearLetters, 5) : written))
+            return *found;
+        const auto number = parseLevels(written);
+        if (number && *number >= 1 && *number <= 366) return int(*number);
+        warnings_.push_back({WarningKind::leftOut, "a leaf day of a tree that is no day of the year",
+                             where_ + ": " + findRole(fields_, role)->field + " " + std::string(written)});
         return std::nullopt;
     }
 
@@ -400,6 +419,8 @@ TreeFacts collectTreeFacts(std::span<const KnownTreeField> fields, std::span<con
     if (!facts.heightM && !facts.crownDiameterM && !facts.stemDiameterM) values.notePlanting();
     facts.evergreen = readEvergreen(values.text(TreeRole::leafCycle));
     facts.needles = readNeedles(values.text(TreeRole::leafType));
+    facts.leafOnDay = values.day(TreeRole::leafOnDay);
+    facts.leafOffDay = values.day(TreeRole::leafOffDay);
     return facts;
 }
 

@@ -21,12 +21,14 @@ enum class TreeRole {
     stemDiameter,
     stemGirth,  ///< pi times the diameter
     genus,
-    species,    ///< a whole name, "Latin :: common" too
-    epithet,    ///< the second word of a name: follows the genus
-    leafCycle,  ///< "evergreen", "deciduous"
-    leafType,   ///< "needleleaved", "broadleaved"
-    status,     ///< "Alive", "Stump"
-    planted,    ///< year of planting or age: no size, which a warning says
+    species,     ///< a whole name, "Latin :: common" too
+    epithet,     ///< the second word of a name: follows the genus
+    leafCycle,   ///< "evergreen", "deciduous"
+    leafType,    ///< "needleleaved", "broadleaved"
+    leafOnDay,   ///< first day in leaf: "04-15"
+    leafOffDay,  ///< first day without leaves
+    status,      ///< "Alive", "Stump"
+    planted,     ///< year of planting or age: no size, which a warning says
     longitude,
     latitude,
     latLon,    ///< both in one field, latitude first: "48.85, 2.35"

@@ -55,11 +55,12 @@ public:
     };
     [[nodiscard]] Taken at(std::size_t step, glm::dvec3 direction) const {
         double inLeaf = 0, bare = 0;  // optical depths
+        const std::size_t phase = scene_.phases.at(step);
         for (const std::uint32_t index : around_.at(CrownsAround::slotOf(direction))) {
             const Crown& crown = scene_.crowns[index];
             const double chord = computeChord(crown, origin_, direction);
             inLeaf += chord * crown.leafOnPerM;
-            bare += chord * crown.leafOffPerM;
+            bare += chord * scene_.phases.perM(phase, crown);
         }
         return {-std::expm1(-inLeaf), -std::expm1(-(scene_.inLeaf[step] != 0 ? inLeaf : bare))};
     }

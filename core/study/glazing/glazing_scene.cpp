@@ -95,11 +95,11 @@ void takeMore(SunShares& shares, const SunShares& other) {
 SunShares findSunShares(const GlazingScene& scene, const CrownScene& crowns, const SkyPoint& point,
                         const ShadedSteps& shaded) {
     SunShares shares(shaded.size());
-    CrownsOverPoint over(crowns.crowns, *scene.patches);
+    CrownsOverPoint over(crowns.crowns, *scene.patches, crowns.phases);
     const bool any = over.begin(glm::dvec3(placeSurfaceRayOrigin(point.position, point.normal)));
     for (std::size_t i = 0; i < shaded.size(); ++i) {
         if (shaded[i] != 0) continue;
-        shares[i] = any ? float(1 - over.at(scene.patches->ofStep(i)).takenShare(crowns.inLeaf[i] != 0)) : 1;
+        shares[i] = any ? float(1 - over.at(i).takenShare(crowns.inLeaf[i] != 0)) : 1;
     }
     return shares;
 }

@@ -74,6 +74,9 @@ void addTree(Sha256& sum, const Tree& tree) {
         sum.add(number);
     sum.add(int(tree.shape));
     sum.add(tree.evergreen);
+    if (!tree.leafOnDay && !tree.leafOffDay) return;  // as trees were hashed before they had such days
+    sum.add(tree.leafOnDay.value_or(0));
+    sum.add(tree.leafOffDay.value_or(0));
 }
 
 void addTrees(Sha256& sum, const Trees& trees) {

@@ -242,13 +242,6 @@ std::string describeSources(const Trees& trees, TreeSource Tree::*source) {
     return text;
 }
 
-// Of a year that is no leap year.
-std::string formatDay(int dayOfYear) {
-    using namespace std::chrono;
-    const year_month_day date(sys_days(year(2025) / January / 1) + days(dayOfYear - 1));
-    return fmt::format("{:02}-{:02}", unsigned(date.month()), unsigned(date.day()));
-}
-
 }  // namespace
 
 Json treesJson(const Trees& trees) {
@@ -257,8 +250,11 @@ Json treesJson(const Trees& trees) {
               {"height_sources", sourcesJson(trees, &Tree::heightSource)},
               {"crown_sources", sourcesJson(trees, &Tree::crownSource)}};
     const LeafDays& leaf = trees.leafDays;
-    json["leaf_on"] = leaf.on == leaf.off ? Json() : Json(formatDay(leaf.on));
-    json["leaf_off"] = leaf.on == leaf.off ? Json() : Json(formatDay(leaf.off));
+    json["leaf_on"] = leaf.on == leaf.off ? Json() : Json(formatDayOfYear(leaf.on));
+    json["leaf_off"] = leaf.on == leaf.off ? Json() : Json(formatDayOfYear(leaf.off));
+    const auto own = std::ranges::count_if(
+        trees.trees, [](const Tree& tree) { return tree.leafOnDay || tree.leafOffDay; });
+    if (own > 0) json["own_leaf_days"] = own;
     return json;
 }
 

@@ -171,6 +171,7 @@ LeafDays readLeafDays(Database& database, const City& city) {
 struct TreeRepairs {
     std::size_t words = 0;  ///< that are unknown
     std::size_t bases = 0;  ///< of crowns, not below the top
+    std::size_t days = 0;   ///< in and out of leaf, which are no days
 
     [[nodiscard]] Warnings list() const {
         Warnings warnings;
@@ -182,6 +183,8 @@ struct TreeRepairs {
             "is used",
             words);
         say("the crown's base lies above the tree's top; a share of the height is used", bases);
+        say("leaf days of trees that are no days of the year (MM-DD); those of the city's trees are used",
+            days);
         return warnings;
     }
 };
@@ -222,6 +225,18 @@ private:
         if (std::ranges::find(known, false) != known.end()) ++repairs_.words;
         if (const auto share = stated(11, "leaf_on")) tree.leafOnTransmissivity = float(*share);
         if (const auto share = stated(12, "leaf_off")) tree.leafOffTransmissivity = float(*share);
+        takeDay(13, tree.leafOnDay);
+        takeDay(14, tree.leafOffDay);
+    }
+
+    void takeDay(int column, std::optional<int>& day) const {
+        const std::string text = row_.text(column);
+        if (text.empty()) return;
+        const auto stated = parseDayOfYear(text);
+        if (stated)
+            day = *stated;
+        else
+            ++repairs_.days;
     }
 
     // False if the row states a word that is none.
@@ -244,7 +259,8 @@ std::shared_ptr<const Trees> readTreeTable(Database& database, const City& city,
     Trees trees{.trees = {}, .leafDays = readLeafDays(database, city)};
     Statement row = database.prepare(
         "SELECT fid, geom, tree_id, species, height_m, crown_diameter_m, crown_base_m, shape, evergreen, "
-        "height_source, crown_source, leaf_on, leaf_off FROM trees WHERE geom IS NOT NULL ORDER BY fid");
+        "height_source, crown_source, leaf_on, leaf_off, leaf_on_day, leaf_off_day FROM trees "
+        "WHERE geom IS NOT NULL ORDER BY fid");
     std::unordered_set<std::string> used;
     TreeRepairs repairs;
     while (row.step()) {
@@ -265,14 +281,18 @@ void writeTrees(Database& database, const Trees* trees) {
     setFact(database, leafDaysKey, fmt::format("{}-{}", trees->leafDays.on, trees->leafDays.off));
     Statement add = database.prepare(
         "INSERT INTO trees (geom, tree_id, species, height_m, crown_diameter_m, crown_base_m, shape, "
-        "evergreen, height_source, crown_source, leaf_on, leaf_off) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-        "?)");
+        "evergreen, height_source, crown_source, leaf_on, leaf_off, leaf_on_day, leaf_off_day) VALUES (?, ?, "
+        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    const auto written = [](const std::optional<int>& day) {
+        return day ? std::optional(formatDayOfYear(*day)) : std::nullopt;
+    };
     Box2 box;
     for (const Tree& tree : trees->trees) {
         const glm::vec2 place(tree.place);
         add.run(AsBlob{pointBlob(place)}, tree.sourceId, tree.species, tree.heightM, tree.crownDiameterM,
                 tree.crownBaseM, nameOf(tree.shape), tree.evergreen, nameOf(tree.heightSource),
-                nameOf(tree.crownSource), tree.leafOnTransmissivity, tree.leafOffTransmissivity);
+                nameOf(tree.crownSource), tree.leafOnTransmissivity, tree.leafOffTransmissivity,
+                written(tree.leafOnDay), written(tree.leafOffDay));
         box.add(place);
     }
     touchLayer(database, "trees", double(box.low.x), double(box.low.y), double(box.high.x),

@@ -106,6 +106,9 @@ CREATE TABLE trees (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, tree_id TEXT, s
   leaf_on REAL, leaf_off REAL);
 )sql";
 
+// Since version 11: leaf days of single trees, "04-15".
+constexpr std::array treeLeafColumns{"leaf_on_day", "leaf_off_day"};
+
 struct FeatureTable {
     const char* table;
     const char* type;
@@ -177,6 +180,11 @@ void addElementTable(Database& database) {
 void addTreeTable(Database& database) {
     database.execute(treeTable);
     registerLayer(database, treeLayer);
+}
+
+void addTreeLeafColumns(Database& database) {
+    for (const char* column : treeLeafColumns)
+        database.execute(fmt::format("ALTER TABLE trees ADD COLUMN {} TEXT", column));
 }
 
 void registerTables(Database& database) {
@@ -258,11 +266,16 @@ void toVersion10(Database& database) {
     addTreeTable(database);
 }
 
+void toVersion11(Database& database) {
+    for (const char* column : treeLeafColumns) refuseForeignColumn(database, "trees", column);
+    addTreeLeafColumns(database);
+}
+
 // Element i migrates from version 1 + i to the next. The tests contain an old file of every version.
 const std::vector<std::function<void(Database&)>>& migrations() {
-    static const std::vector<std::function<void(Database&)>> steps{toVersion2, toVersion3, toVersion4,
-                                                                   toVersion5, toVersion6, toVersion7,
-                                                                   toVersion8, toVersion9, toVersion10};
+    static const std::vector<std::function<void(Database&)>> steps{
+        toVersion2, toVersion3, toVersion4, toVersion5,  toVersion6,
+        toVersion7, toVersion8, toVersion9, toVersion10, toVersion11};
     return steps;
 }
 
@@ -281,6 +294,7 @@ void createSchema(Database& database, const std::string& localWkt) {
     database.execute(periodSettingsColumn);
     addElementTable(database);
     addTreeTable(database);
+    addTreeLeafColumns(database);
     addLayerStyles(database);
     database.prepare("INSERT INTO noonmark (key, value) VALUES ('schema_version', ?)")
         .run(std::to_string(schemaVersion));

@@ -8,7 +8,7 @@
 namespace noonmark {
 
 /// Schema version that this program writes; docs/project-file.md lists all versions.
-inline constexpr int schemaVersion = 10;
+inline constexpr int schemaVersion = 11;
 
 /// Warning added to files of version 1, which store no warnings.
 inline constexpr const char* noReadingText =

@@ -34,6 +34,29 @@ Crown crownOf(CrownShape shape) {
     return {.x = 3, .y = -2, .bottomM = 4, .topM = 13, .radiusM = 3.5, .shape = shape};
 }
 
+TEST(LeafDays, OfATreeAreItsOwnWhereItStatesSome) {
+    const LeafDays city{100, 300};
+    Tree tree;
+    EXPECT_EQ(leafDaysOf(tree, city), city);
+    tree.leafOnDay = 120;
+    EXPECT_EQ(leafDaysOf(tree, city), (LeafDays{120, 300}));
+    LeafSeasons seasons(city);
+    EXPECT_EQ(seasons.add(tree), 1U);
+    EXPECT_EQ(seasons.add(Tree{}), 0U);
+    EXPECT_EQ(seasons.add(tree), 1U);
+    tree.evergreen = true;
+    EXPECT_EQ(seasons.add(tree), 0U) << "evergreens have no days";
+    EXPECT_EQ(seasons.days().size(), 2U);
+}
+
+TEST(LeafDays, AreWrittenAsMonthAndDay) {
+    EXPECT_EQ(parseDayOfYear("04-15").value(), 105);
+    EXPECT_EQ(formatDayOfYear(105), "04-15");
+    EXPECT_EQ(parseDayOfYear("12-31").value(), 365);
+    EXPECT_FALSE(parseDayOfYear("02-29"));
+    EXPECT_FALSE(parseDayOfYear("4"));
+}
+
 TEST(Crown, ChordsThroughTheMiddleAreItsMeasures) {
     const Crown round = crownOf(CrownShape::ellipsoid);
     EXPECT_NEAR(computeChord(round, {3, -2, 0}, {0, 0, 1}), 9, 1e-12);

@@ -50,6 +50,16 @@ TEST_F(ProjectFileTest, TreesOfUnknownWordsAreCompletedAndCounted) {
     EXPECT_EQ(counted("the crown's base lies above"), 1);
 }
 
+TEST_F(ProjectFileTest, LeafDaysThatAreNoDaysAreThoseOfTheCity) {
+    made();
+    Database(file(), Database::Access::write)
+        .execute("UPDATE trees SET leaf_on_day = 'May', leaf_off_day = '11-05'");
+    const ProjectFile disk = ProjectFile::open(file()).value();
+    const Tree& tree = disk.project().city->trees->trees.at(0);
+    EXPECT_EQ(tree.leafOnDay, std::nullopt);
+    EXPECT_EQ(tree.leafOffDay, 309);
+}
+
 TEST_F(ProjectFileTest, TreesThatMakeNoSenseAreDamage) {
     for (const char* harm : {"UPDATE trees SET height_m = -3", "UPDATE trees SET leaf_on = 1.5",
                              "UPDATE trees SET geom = x'01'", "UPDATE trees SET crown_diameter_m = 'wide'",

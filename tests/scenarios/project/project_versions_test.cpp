@@ -13,6 +13,16 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
+// Version 10 stored no leaf days of single trees.
+Project asVersion10Holds(Project project) {
+    City city = *project.city;
+    Trees trees = *city.trees;
+    for (Tree& tree : trees.trees) tree.leafOnDay = tree.leafOffDay = std::nullopt;
+    city.trees = std::make_shared<const Trees>(std::move(trees));
+    project.city = std::make_shared<const City>(std::move(city));
+    return project;
+}
+
 // Version 9 stored no trees.
 Project asVersion9Holds(Project project) {
     City city = *project.city;
@@ -176,7 +186,16 @@ TEST_F(ProjectFileTest, AFileOfVersion9WithATableOfThatNameIsRefused) {
 
 TEST_F(ProjectFileTest, AFileOfVersion10IsOpened) {
     fs::copy_file(testFile("scenarios/files/version-10.noonmark.gpkg"), file());
+    ProjectFile disk = ProjectFile::open(file()).value();
+    expectSame(disk.project(), asVersion10Holds(sampleWithPoints()));
+    ASSERT_TRUE(disk.save(sampleWithPoints()));
     expectSame(opened(), sampleWithPoints());
+}
+
+TEST_F(ProjectFileTest, AFileOfVersion10WithAColumnOfThatNameIsRefused) {
+    fs::copy_file(testFile("scenarios/files/version-10.noonmark.gpkg"), file());
+    Database(file(), Database::Access::write).execute("ALTER TABLE trees ADD COLUMN Leaf_On_Day TEXT");
+    EXPECT_THAT(errorOfOpening(), HasSubstr("column 'leaf_on_day'"));
 }
 
 TEST_F(ProjectFileTest, TablesOfNewNamesThatAreNotOursAreNotOverwritten) {

@@ -3,7 +3,9 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpressionValidator>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -29,18 +31,37 @@ constexpr double defaultYears = 10, maxYears = 200;  // as growTree()
 QString describeTree(const Tree& tree) {
     const QString species =
         tree.species.empty() ? TreePanel::tr("Species not known") : QString::fromStdString(tree.species);
-    const QString leaves = tree.evergreen ? TreePanel::tr("evergreen") : TreePanel::tr("loses its leaves");
+    const bool hasDays = !tree.evergreen && (tree.leafOnDay || tree.leafOffDay);
+    const QString leaves = tree.evergreen ? TreePanel::tr("evergreen")
+                           : hasDays      ? TreePanel::tr("loses its leaves (days of its own)")
+                                          : TreePanel::tr("loses its leaves");
     return TreePanel::tr("%1, %2 high, crown %3, %4")
         .arg(species, describeLength(double(tree.heightM)), describeLength(double(tree.crownDiameterM)),
              leaves);
 }
 
+// The leaf cycle where it is not that of the genus.
 TreeFacts factsOf(const Tree& tree) {
+    const bool isOfGenus = completeTree({.species = tree.species}).evergreen == tree.evergreen;
     return {.species = tree.species,
             .heightM = double(tree.heightM),
             .crownDiameterM = double(tree.crownDiameterM),
-            .crownBaseM = double(tree.crownBaseM)};
+            .crownBaseM = double(tree.crownBaseM),
+            .evergreen = isOfGenus ? std::nullopt : std::optional(tree.evergreen),
+            .leafOnDay = tree.leafOnDay,
+            .leafOffDay = tree.leafOffDay};
 }
+
+/// "04-15". What is no day is cleared when the field is left.
+class DayOfYear final : public QRegularExpressionValidator {
+public:
+    explicit DayOfYear(QObject* parent)
+        : QRegularExpressionValidator(
+              QRegularExpression(QStringLiteral("((0[13578]|1[02])-(0[1-9]|[12]\\d|3[01])|(0[469]|11)-(0[1-9]"
+                                                "|[12]\\d|30)|02-(0[1-9]|1\\d|2[0-8]))?")),
+              parent) {}
+    void fixup(QString& input) const override { input.clear(); }
+};
 
 }  // namespace
 
@@ -87,6 +108,9 @@ void TreePanel::placeFields() {
     auto* form = new QFormLayout;
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     fields_->addRows(*form);
+    for (const char* flag : {"--leaf-on", "--leaf-off"})
+        if (auto* day = qobject_cast<QLineEdit*>(fields_->widget(flag)))
+            day->setValidator(new DayOfYear(day));
     form->addRow(tr("Spacing"), spacing_);
     auto* column = new QVBoxLayout(this);
     column->addWidget(chosen_);
@@ -287,9 +311,7 @@ void TreeEditing::showDraggedShade() {
     const auto rays = makeCrownRays(std::make_shared<const Trees>(std::move(dragged)), {});
     if (!rays) return;
     CrownRays all = *others_;
-    const auto join = [](std::vector<RayScene>& to, const std::vector<RayScene>& more) {
-        to.insert(to.end(), more.begin(), more.end());
-    };
+    const auto join = [](auto& to, const auto& more) { to.insert(to.end(), more.begin(), more.end()); };
     join(all.evergreen, (*rays)->evergreen);
     join(all.losingLeaves, (*rays)->losingLeaves);
     context_.panel.view().showTrees(others_->trees, std::make_shared<const CrownRays>(std::move(all)));

@@ -24,23 +24,30 @@ constexpr std::uint8_t unknownPass = 255;  // else 254ths of the sun
 constexpr double passSteps = 254;
 constexpr std::size_t maxPassBytes = std::size_t{1} << 29U;
 
-std::vector<std::uint8_t> findLeafySteps(const SunSteps& sun, const LeafDays* leaves) {
-    std::vector<std::uint8_t> inLeaf(sun.steps.size(), 1);
+// 1 where trees are in leaf.
+std::vector<std::uint16_t> findLeafySteps(const SunSteps& sun, const LeafDays* leaves) {
+    std::vector<std::uint16_t> inLeaf(sun.steps.size(), 1);
     if (leaves == nullptr) return inLeaf;
     for (const SunDay& day : sun.days)
-        if (!isInLeaf(*leaves, day.date)) std::fill_n(inLeaf.begin() + day.first, day.count, std::uint8_t{0});
+        if (!isInLeaf(*leaves, day.date))
+            std::fill_n(inLeaf.begin() + day.first, day.count, std::uint16_t{0});
     return inLeaf;
 }
 
-// Each patch with the minutes of its steps.
+double perMetre(const Crown& crown, const WeightedSun& sun, const LeafPhases& phases) {
+    return sun.inLeaf ? crown.leafOnPerM : phases.perM(sun.phase, crown);
+}
+
+// Each patch with the minutes of its steps. `kinds`: their phases, or whether trees are in leaf.
 std::vector<WeightedSun> weigh(const SunPatches& patches, const SunSteps& sun,
-                               const std::vector<std::uint8_t>& inLeaf) {
+                               const std::vector<std::uint16_t>& kinds, bool arePhases) {
     const double minutes = sun.stepMinutes / double(std::max<std::size_t>(1, sun.dayCount()));
     std::vector<WeightedSun> suns(patches.count());
     for (std::size_t step = 0; step < sun.steps.size(); ++step) {
         WeightedSun& one = suns[patches.ofStep(step)];
         one.direction = patches.direction(patches.ofStep(step));
-        one.inLeaf = inLeaf[step] != 0;
+        one.inLeaf = !arePhases && kinds[step] != 0;
+        one.phase = arePhases ? kinds[step] : 0;
         one.minutesPerDay += minutes;
     }
     return suns;
@@ -48,14 +55,16 @@ std::vector<WeightedSun> weigh(const SunPatches& patches, const SunSteps& sun,
 
 }  // namespace
 
-std::vector<WeightedSun> findSuns(const SunSteps& sun, const LeafDays* leaves, std::size_t maximum) {
+std::vector<WeightedSun> findSuns(const SunSteps& sun, const LeafDays* leaves, std::size_t maximum,
+                                  const LeafPhases& phases) {
     constexpr double widerTimes = 1.25, widestDeg = 20;
-    const std::vector<std::uint8_t> inLeaf = findLeafySteps(sun, leaves);
+    const bool arePhases = leaves != nullptr && !phases.empty();
+    const std::vector<std::uint16_t> kinds = arePhases ? phases.ofStep : findLeafySteps(sun, leaves);
     double sideDeg = SunPatches::sunDeg;
-    SunPatches patches(sun.steps, sideDeg, inLeaf);
+    SunPatches patches(sun.steps, sideDeg, kinds);
     while (patches.count() > maximum && sideDeg < widestDeg)
-        patches = SunPatches(sun.steps, sideDeg *= widerTimes, inLeaf);
-    return weigh(patches, sun, inLeaf);
+        patches = SunPatches(sun.steps, sideDeg *= widerTimes, kinds);
+    return weigh(patches, sun, kinds, arePhases);
 }
 
 StandingCrowns::Square StandingCrowns::squareOf(glm::dvec2 place) {
@@ -72,7 +81,8 @@ StandingCrowns::StandingCrowns(const std::vector<Crown>& crowns) {
 }
 
 // Each square once: column by column along the ray, with those beside it as far as the widest crown reaches.
-double StandingCrowns::depth(glm::dvec3 origin, glm::dvec3 direction, bool inLeaf) const {
+double StandingCrowns::depth(glm::dvec3 origin, const WeightedSun& sun, const LeafPhases& phases) const {
+    const glm::dvec3 direction = sun.direction;
     if (origin.z >= highestM_ || direction.z <= 0) return 0;
     const glm::dvec2 end =
         glm::dvec2(origin) + glm::dvec2(direction) * ((highestM_ - origin.z) / direction.z);
@@ -98,8 +108,7 @@ double StandingCrowns::depth(glm::dvec3 origin, glm::dvec3 direction, bool inLea
             const auto found = squares_.find(isFlipped ? Square{row, column} : Square{column, row});
             if (found == squares_.end()) continue;
             for (const Crown& crown : found->second)
-                sum +=
-                    computeChord(crown, origin, direction) * (inLeaf ? crown.leafOnPerM : crown.leafOffPerM);
+                sum += computeChord(crown, origin, direction) * perMetre(crown, sun, phases);
         }
     }
     return sum;
@@ -120,11 +129,12 @@ Error noLiveTrees(std::string why) {
 }  // namespace
 
 LiveTreeShade::LiveTreeShade(std::shared_ptr<const Study> study, RayScene scene,
-                             const std::vector<Crown>& others)
+                             const std::vector<Crown>& others, LeafSeasons seasons)
     : study_(std::move(study)),
       before_(findFieldWithTrees(*study_)),
       scene_(std::move(scene)),
-      others_(others) {}
+      others_(others),
+      seasons_(std::move(seasons)) {}
 
 Result<std::shared_ptr<LiveTreeShade>> LiveTreeShade::of(std::shared_ptr<const Study> study,
                                                          const std::set<std::string>& moved,
@@ -137,21 +147,28 @@ Result<std::shared_ptr<LiveTreeShade>> LiveTreeShade::of(std::shared_ptr<const S
     const City& city = study->city;
     std::vector<Crown> others;
     std::vector<Tree> chosen;
-    for (const Tree& tree : city.trees->trees)
-        if (moved.contains(tree.sourceId))
+    LeafSeasons leafSeasons(city.trees->leafDays);
+    for (const Tree& tree : city.trees->trees) {
+        const std::uint32_t season = leafSeasons.add(tree);
+        if (moved.contains(tree.sourceId)) {
             chosen.push_back(tree);
-        else
-            others.push_back(makeCrown(tree));
+            continue;
+        }
+        others.push_back(makeCrown(tree));
+        others.back().season = season;
+    }
     if (chosen.empty()) return tl::make_unexpected(noLiveTrees("The trees are not those of the study"));
     const Receivers& receivers = study->receivers;
     auto scene = RayScene::over(city, findBuildingsInReach(city, receivers, study->sun), stop);
     if (!scene) return tl::make_unexpected(scene.error());
-    std::shared_ptr<LiveTreeShade> live(new LiveTreeShade(study, *std::move(scene), others));
+    std::shared_ptr<LiveTreeShade> live(
+        new LiveTreeShade(study, *std::move(scene), others, std::move(leafSeasons)));
     live->moved_ = std::move(chosen);
     const bool seasons = study->field.trees->seasonal.has_value();
     const std::size_t maximum =
         std::min(maxPatches, maxPassBytes / std::max<std::size_t>(1, receivers.grid.size()));
-    live->patches_ = findSuns(study->sun, seasons ? &city.trees->leafDays : nullptr, maximum);
+    live->phases_ = findLeafPhases(live->seasons_, study->sun);
+    live->patches_ = findSuns(study->sun, seasons ? &city.trees->leafDays : nullptr, maximum, live->phases_);
     if (live->patches_.size() > maximum)
         return tl::make_unexpected(noLiveTrees("Measure a smaller region, or larger cells"));
     live->passed_.assign(live->patches_.size() * receivers.grid.size(), unknownPass);
@@ -172,6 +189,7 @@ std::vector<Crown> LiveTreeShade::crownsAt(glm::dvec2 byM) const {
         tree.place += byM;
         if (byM != glm::dvec2(0)) tree.groundM = float(groundAt(study_->city, tree.place));
         crowns.push_back(makeCrown(tree));
+        crowns.back().season = seasons_.of(tree);
     }
     return crowns;
 }
@@ -207,8 +225,8 @@ void LiveTreeShade::shade(const WeightedSun& patch, std::uint8_t* passed, const 
     for (const Crown& crown : crowns)
         visitShadow(crown, patch.direction, [&](std::uint32_t cell) {
             const glm::dvec3 origin(placeRayOrigin(study_->receivers.position(cell)));
-            const double depth = computeChord(crown, origin, patch.direction) *
-                                 (patch.inLeaf ? crown.leafOnPerM : crown.leafOffPerM);
+            const double depth =
+                computeChord(crown, origin, patch.direction) * perMetre(crown, patch, phases_);
             if (depth <= 0) return;
             if (sums.depths[cell] == 0) sums.touched.push_back(cell);
             sums.depths[cell] += float(depth);
@@ -263,8 +281,7 @@ double LiveTreeShade::passOf(std::uint32_t cell, const WeightedSun& patch, std::
     if (known == unknownPass) {
         const glm::vec3 origin = placeRayOrigin(study_->receivers.position(cell));
         const bool blocked = scene_.occluded(origin, glm::vec3(patch.direction));
-        const double passes =
-            blocked ? 0 : std::exp(-others_.depth(glm::dvec3(origin), patch.direction, patch.inLeaf));
+        const double passes = blocked ? 0 : std::exp(-others_.depth(glm::dvec3(origin), patch, phases_));
         known = std::uint8_t(std::lround(passes * passSteps));
     }
     return double(known) / passSteps;

@@ -14,18 +14,32 @@
 
 #include "app/gui/base/jobs/job.h"
 #include "core/engines/ray/ray_scene.h"
+#include "core/engines/trees/crowns.h"
 #include "core/study/study.h"
 
 // The shade of trees while they are dragged, on the cells of a study: what it measured with trees, less what
 // the dragged ones took where they stood, and what they take where they are.
 namespace noonmark {
 
+/// Suns of a period that crowns take for one, and how many minutes a day they count in the mean.
+struct WeightedSun {
+    glm::dvec3 direction{0, 0, 1};
+    bool inLeaf = true;     ///< as CrownScene::inLeaf
+    std::size_t phase = 0;  ///< LeafPhases
+    double minutesPerDay = 0;
+};
+/// At most `maximum` of the patches of SunPatches, of 0.5 deg a side or of as little more as that takes.
+/// `leaves`: null: trees are in leaf all year. `phases`: of the same steps, where trees have leaf days of
+/// their own.
+std::vector<WeightedSun> findSuns(const SunSteps& sun, const LeafDays* leaves, std::size_t maximum,
+                                  const LeafPhases& phases = {});
+
 /// The crowns that stay, in squares of the ground: those that a ray meets are found along it.
 class StandingCrowns {
 public:
     explicit StandingCrowns(const std::vector<Crown>& crowns);
-    /// What a ray's paths through them add up to, by metre and optical depth of a metre.
-    [[nodiscard]] double depth(glm::dvec3 origin, glm::dvec3 direction, bool inLeaf) const;
+    /// What the paths of a ray towards a sun through them add up to, by metre and optical depth of a metre.
+    [[nodiscard]] double depth(glm::dvec3 origin, const WeightedSun& sun, const LeafPhases& phases) const;
 
 private:
     using Square = std::pair<int, int>;
@@ -33,16 +47,6 @@ private:
     std::map<Square, std::vector<Crown>> squares_;  // by the middle of each crown
     double highestM_ = 0, widestM_ = 0;
 };
-
-/// Suns of a period that crowns take for one, and how many minutes a day they count in the mean.
-struct WeightedSun {
-    glm::dvec3 direction{0, 0, 1};
-    bool inLeaf = true;
-    double minutesPerDay = 0;
-};
-/// At most `maximum` of the patches of SunPatches, of 0.5 deg a side or of as little more as that takes;
-/// `leaves`: null: trees are in leaf all year.
-std::vector<WeightedSun> findSuns(const SunSteps& sun, const LeafDays* leaves, std::size_t maximum);
 
 /// Not thread-safe.
 class LiveTreeShade {
@@ -65,7 +69,8 @@ public:
     [[nodiscard]] std::size_t patches() const { return patches_.size(); }
 
 private:
-    LiveTreeShade(std::shared_ptr<const Study> study, RayScene scene, const std::vector<Crown>& others);
+    LiveTreeShade(std::shared_ptr<const Study> study, RayScene scene, const std::vector<Crown>& others,
+                  LeafSeasons seasons);
     [[nodiscard]] std::vector<Crown> crownsAt(glm::dvec2 byM) const;
     /// Minutes a day by cell, of some of the patches; the others of its rows are 0.
     struct Sums {
@@ -87,6 +92,8 @@ private:
     RayScene scene_;             // buildings and terrain
     StandingCrowns others_;
     std::vector<Tree> moved_;
+    LeafSeasons seasons_;
+    LeafPhases phases_;  // of the study's steps
     std::vector<WeightedSun> patches_;
     float lowestM_ = 0, highestM_ = 0;  // of the receivers
     std::vector<std::uint8_t> passed_;  // by patch and cell: share of the sun that the rest lets through

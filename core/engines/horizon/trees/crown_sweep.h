@@ -265,7 +265,8 @@ private:
 
 /// What crowns take of the sun that buildings leave, in one sweep for all sets. `crowns`: with one; of the
 /// same receivers and steps. Costs as a sweep of gross shadow with trees
-/// (core/engines/horizon/horizon_sweep.cpp), and some half of it more for months.
+/// (core/engines/horizon/horizon_sweep.cpp), and some half of it more for months. Where trees have leaf days
+/// of their own, a sweep for each phase (LeafPhases).
 Result<TakenBySet> sweepCrowns(const City& city, const CrownScene& crowns, const Receivers& receivers,
                                const SunSteps& sun, const StepSets& sets, Progress& progress,
                                const std::stop_token& stop);

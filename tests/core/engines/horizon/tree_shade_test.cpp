@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 
 #include "core/city/trees/tree.h"
@@ -468,6 +469,119 @@ TEST(TreeShade, OfPointsIsThatOfCellsInTheirPlaces) {
         EXPECT_GT(taken, 15.0 * double(points.size()));
         EXPECT_LT(off, 0.01 * taken);
     }
+}
+
+// The trees of a town, a third of which state their own leaf days; January, April 20, July 1 are known.
+City townWithOwnLeafDays() {
+    City city = townWithTrees(40, 3);
+    Trees trees = *city.trees;
+    for (std::size_t i = 0; i < trees.trees.size(); i += 3) {
+        trees.trees[i].leafOnDay = i % 2 == 0 ? 1 : 150;  // bare on 20 April; in leaf in January
+        trees.trees[i].leafOffDay = i % 2 == 0 ? 30 : 250;
+    }
+    city.trees = std::make_shared<const Trees>(trees);
+    return city;
+}
+
+// The same on one day, without leaf days of single trees: evergreens, and trees that are bare.
+City townOnDay(const City& city, int day) {
+    City asOnDay = city;
+    Trees trees = *city.trees;
+    for (Tree& tree : trees.trees) {
+        const bool inLeaf = tree.evergreen || leafDaysOf(tree, trees.leafDays).inLeafOn(day);
+        tree.leafOnDay = tree.leafOffDay = std::nullopt;
+        if (inLeaf) tree.leafOffTransmissivity = tree.leafOnTransmissivity;
+    }
+    trees.leafDays = {367, 368};
+    asOnDay.trees = std::make_shared<const Trees>(trees);
+    return asOnDay;
+}
+
+SunSteps dayOf(const SunSteps& sun, std::size_t day) {
+    SunSteps one{.stepMinutes = sun.stepMinutes, .days = {sun.days[day]}};
+    one.steps.assign(sun.steps.begin() + sun.days[day].first,
+                     sun.steps.begin() + sun.days[day].first + sun.days[day].count);
+    one.days.front().first = 0;
+    return one;
+}
+
+constexpr std::array knownDays{5, 110, 182};  // of the year
+
+SunSteps knownSun() {
+    SunSteps sun = threeDays();
+    setDates(sun, {std::chrono::January / 5, std::chrono::April / 20, std::chrono::July / 1});
+    return sun;
+}
+
+TEST(TreeShade, OfLeafDaysOfSingleTreesIsThatOfEachDay) {
+    const City city = townWithOwnLeafDays();
+    const SunSteps sun = knownSun();
+    const Receivers receivers = receiversOver(city, 0, 0, 100, 100, 2);
+    const ShadowField field = traced(city, receivers, sun);
+    std::vector<double> expected(receivers.grid.size());
+    for (std::size_t day = 0; day < knownDays.size(); ++day) {
+        const ShadowField one = traced(townOnDay(city, knownDays[day]), receivers, dayOf(sun, day));
+        for (const std::uint32_t cell : receivers.cells)
+            expected[cell] += double(one.trees->seasonal->grossMin[cell]) / 3;
+    }
+    const ShadowField ofCity = traced(townWithTrees(40, 3), receivers, sun);
+    double apart = 0;
+    for (const std::uint32_t cell : receivers.cells) {
+        EXPECT_NEAR(field.trees->seasonal->grossMin[cell], expected[cell], 1e-3);
+        EXPECT_EQ(field.trees->evergreen->grossMin[cell], ofCity.trees->evergreen->grossMin[cell]);
+        apart += std::abs(expected[cell] - double(ofCity.trees->seasonal->grossMin[cell]));
+    }
+    EXPECT_GT(apart, 0.2 * double(receivers.cells.size())) << "minutes that the trees' own days change";
+}
+
+TEST(TreeShade, OfTheSweepHonoursLeafDaysOfSingleTrees) {
+    const City city = townWithOwnLeafDays();
+    const SunSteps sun = knownSun();
+    const Receivers receivers = receiversOver(city, 0, 0, 100, 100, 2);
+    NoProgress quiet;
+    const StepSets months = monthsOf(sun);
+    const auto rays = traceTreeSets(city, receivers, sun, months, quiet, {}).value().value();
+    const auto sweep =
+        sweepCrowns(city, findCrowns(city, receivers, sun), receivers, sun, months, quiet, {}).value();
+    const std::vector<double> sunlit = months.sunlitMinutes(sun);
+    ASSERT_EQ(sweep.seasonal.size(), 3U);
+    for (std::size_t month = 0; month < sunlit.size(); ++month) {
+        double off = 0;
+        for (std::size_t i = 0; i < receivers.cells.size(); ++i)
+            off += std::abs(double(sweep.seasonal[month][i]) - double(rays.seasonal[month][i])) /
+                   double(receivers.cells.size());
+        EXPECT_LT(off, 1e-3 * sunlit[month]) << months.names[month];
+    }
+    const ShadowField swept = tests::swept(city, receivers, sun);
+    EXPECT_FALSE(swept.trees) << "the sweep of horizons leaves such trees to others";
+    const auto shade = shadeTrees(city, receivers, sun, swept, TreeColumns::all, quiet, {}).value();
+    ASSERT_TRUE(shade);
+    double taken = 0, exact = 0;
+    for (std::size_t i = 0; i < receivers.cells.size(); ++i) {
+        const std::uint32_t cell = receivers.cells[i];
+        taken += double(shade->seasonal->grossMin[cell]) - double(swept.grossMin[cell]);
+        exact += sumOfSets(rays.seasonal, i) / 3;
+    }
+    EXPECT_NEAR(taken, exact, 0.01 * exact);
+}
+
+TEST(TreeShade, OfPointsHonoursLeafDaysOfSingleTrees) {
+    const City city = townWithOwnLeafDays();
+    const SunSteps sun = knownSun();
+    const Receivers receivers = receiversOver(city, 0, 0, 100, 100, 4);
+    const SurfacePoints points = pointsOn(receivers);
+    const ShadowField field = traced(city, receivers, sun);
+    const auto shaded = shadedPoints(city, points, sun);
+    ASSERT_TRUE(shaded);
+    double off = 0, taken = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::uint32_t cell = receivers.cells[i];
+        const double shadow = double(field.trees->seasonal->grossMin[cell]) * 3;
+        off += std::abs(shaded->seasonal->possibleMin - shaded->seasonal->sunlitOf(i) - shadow);
+        taken += shadow - double(field.grossMin[cell]) * 3;
+    }
+    EXPECT_GT(taken, 10.0 * double(points.size()));
+    EXPECT_LT(off, 0.01 * taken);
 }
 
 TEST(TreeShade, StopsWhenAsked) {

@@ -137,6 +137,21 @@ TEST_F(ReadTreesTest, PointsOfAMap) {
     EXPECT_EQ(read->trees[0].facts.species, "Acer");
 }
 
+TEST_F(ReadTreesTest, LeafDaysOfATreeAreRead) {
+    const auto read =
+        tryRead(folder_.file("t.csv",
+                             "height,leaf_on_day,leaf_off_day,lat,lon\n9,05-02,2025-10-31,40.75,-73.98\n"
+                             "9,122,,40.76,-73.98\n9,soon,400,40.77,-73.98\n"));
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->trees.size(), 3U);
+    EXPECT_EQ(read->trees[0].facts.leafOnDay, 122);
+    EXPECT_EQ(completeTree(read->trees[0].facts).leafOffDay, 304);
+    EXPECT_EQ(read->trees[1].facts.leafOnDay, 122);
+    EXPECT_EQ(read->trees[1].facts.leafOffDay, std::nullopt);
+    EXPECT_EQ(read->trees[2].facts.leafOnDay, std::nullopt);
+    EXPECT_THAT(whats(read->warnings), Contains(HasSubstr("no day of the year")));
+}
+
 TEST_F(ReadTreesTest, AStemOfNoStatedUnitIsReported) {
     const auto read = tryRead(folder_.file("t.csv", "dbh,lat,lon\n30,40.75,-73.98\n"));
     ASSERT_TRUE(read);
