@@ -9,6 +9,7 @@
 #include "core/base/json_number.h"
 #include "core/base/safe_text.h"
 #include "core/city/terrain/building_ground.h"
+#include "core/describe/text.h"
 #include "core/io/pieces/read_part.h"
 #include "core/io/read_city.h"
 #include "core/sun/zone_country.h"
@@ -18,6 +19,8 @@ namespace noonmark {
 using Json = nlohmann::ordered_json;
 
 namespace {
+
+Amount countAmount(std::size_t count) { return {double(count), FigureUnit::none, 0}; }
 
 HeightField heightFieldFrom(const Json& json) {
     return {json.at("file").get<std::string>(), json.at("field").get<std::string>(),
@@ -116,11 +119,18 @@ std::optional<HeightFacts> parseHeightFacts(const std::string& text) try {
     return std::nullopt;
 }
 
-std::optional<std::string> makeAssumedHeadline(const HeightCounts& counts) {
+std::optional<Sentence> describeAssumed(const HeightCounts& counts) {
     if (!(counts.assumedShare() > maxAssumedShare)) return std::nullopt;
-    return fmt::format("{} of {} heights are assumed ({}{:.4g} m)",
-                       formatThousands(counts.of(HeightSource::assumed)), formatThousands(counts.parts),
-                       counts.assumedAlike ? "" : "most of them ", counts.assumedM);
+    constexpr int decimals = 2;
+    return Sentence{counts.assumedAlike ? NM_TEXT("%1 of %2 heights are assumed (%3 m)")
+                                        : NM_TEXT("%1 of %2 heights are assumed (most of them %3 m)"),
+                    {countAmount(counts.of(HeightSource::assumed)), countAmount(counts.parts),
+                     Amount{counts.assumedM, FigureUnit::none, decimals}}};
+}
+
+std::optional<std::string> makeAssumedHeadline(const HeightCounts& counts) {
+    const auto sentence = describeAssumed(counts);
+    return sentence ? std::optional(formatText(*sentence)) : std::nullopt;
 }
 
 std::optional<std::string> makeDoubtHeadline(const HeightFacts& facts) {
@@ -133,18 +143,25 @@ std::optional<std::string> makeDoubtHeadline(const HeightFacts& facts) {
 std::optional<std::string> makeStandHeadline(const HeightFacts& facts) {
     std::vector<std::string> texts;
     for (const BaseFit& fit : facts.bases)
-        if (fit.rule != StandRule::asStated || fit.apart > 0 || !fit.fits()) texts.push_back(describe(fit));
+        if (fit.isRemarkable()) texts.push_back(describe(fit));
     if (texts.empty()) return std::nullopt;
     return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-std::optional<std::string> makeAssumedHeightsMessage(const HeightCounts& counts, const HeightFacts& facts) {
-    auto text = makeAssumedHeadline(counts);
-    if (!text || facts.unknown.empty()) return text;
+std::vector<Sentence> describeHeights(const HeightCounts& counts, const HeightFacts& facts) {
+    std::vector<Sentence> sentences;
+    const auto assumed = describeAssumed(counts);
+    if (assumed) sentences.push_back(*assumed);
     std::vector<std::string> fields;
     for (const UnknownField& field : facts.unknown) fields.push_back(describe(field));
-    *text += fmt::format(". Fields that could hold heights or storeys: {}", fmt::join(fields, ", "));
-    return text;
+    if (assumed && !fields.empty())
+        sentences.push_back({NM_TEXT("Fields that could hold heights or storeys: %1"),
+                             {fmt::format("{}", fmt::join(fields, ", "))}});
+    for (const HeightDoubt& doubt : facts.doubts)
+        sentences.push_back({NM_TEXT("In doubt: %1"), {describe(doubt)}});
+    for (const BaseFit& fit : facts.bases)
+        if (fit.isRemarkable()) std::ranges::move(listSentences(fit), std::back_inserter(sentences));
+    return sentences;
 }
 
 Json heightsJson(const HeightCounts& counts, const HeightFacts& facts) {
@@ -176,14 +193,21 @@ Json changesJson(const Warnings& warnings) {
     return json;
 }
 
-std::string describeChanges(const Warnings& warnings) {
+std::vector<ReadingChange> countChanges(const Warnings& warnings) {
     const Json changes = changesJson(warnings);  // items() refers to it
-    std::vector<std::string> texts;
+    std::vector<ReadingChange> counts;
     for (const auto& [key, count] : changes.items()) {
         std::string name = key;
         std::ranges::replace(name, '_', ' ');
-        if (count != 0) texts.push_back(formatThousands(count.get<std::size_t>()) + " " + name);
+        if (count != 0) counts.push_back({name, count.get<std::size_t>()});
     }
+    return counts;
+}
+
+std::string describeChanges(const Warnings& warnings) {
+    std::vector<std::string> texts;
+    for (const ReadingChange& change : countChanges(warnings))
+        texts.push_back(formatThousands(change.count) + " " + change.kind);
     return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -212,35 +236,41 @@ std::string describeChangesWithReasons(const Warnings& warnings) {
     return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, "; "));
 }
 
-std::string describeWhere(const CityRead& read) {
+Sentence describeSource(const CityRead& read) {
+    const std::string format = read.crs.empty() ? read.format : fmt::format("{} ({})", read.format, read.crs);
     const Box2 box = bounds(read.city);
-    if (box.empty()) return {};
+    if (box.empty()) return {"%1", {format}};
     const auto middle = (glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0;
     const auto town = findNearestTown(read.city.frame.lonLatFromLocal(middle));
-    if (!town) return {};
-    return fmt::format(", {:.1f} km from {}, {}", town->distanceM / 1000, town->name,
-                       countryName(town->country));
+    if (!town) return {"%1", {format}};
+    return {NM_TEXT("%1, %2 km from %3, %4"),
+            {format, Amount{town->distanceM / 1000}, town->name, countryName(town->country)}};
 }
 
-std::string describeSize(const City& city) {
-    if (city.buildings.empty()) return "no buildings";
+Sentence describeSize(const City& city) {
+    if (city.buildings.empty()) return {NM_TEXT("no buildings"), {}};
     std::size_t parts = 0;
     float tallestM = 0;
     for (const auto& building : city.buildings) {
         parts += building->parts.size();
         tallestM = std::max(tallestM, heightM(*building, city));
     }
-    return fmt::format("{} of {}, up to {:.1f} m high", countOf(city.buildings.size(), "building"),
-                       countOf(parts, "part"), tallestM);
+    return {NM_TEXT("buildings: %1, parts: %2, up to %3 m high"),
+            {countAmount(city.buildings.size()), countAmount(parts), Amount{tallestM}}};
 }
 
 }  // namespace
 
+std::vector<Sentence> listFacts(const CityRead& read) {
+    return {describeSource(read),
+            describeSize(read.city),
+            {read.city.terrain ? NM_TEXT("on a terrain") : NM_TEXT("on flat ground"), {}}};
+}
+
 std::string summariseReading(const CityRead& read) {
-    return fmt::format("{}{}{}. {}{}. Changed in reading: {}.", read.format,
-                       read.crs.empty() ? "" : fmt::format(" ({})", read.crs), describeWhere(read),
-                       describeSize(read.city), read.city.terrain ? ", on a terrain" : ", on flat ground",
-                       describeChangesWithReasons(read.warnings));
+    std::string text;
+    for (const Sentence& fact : listFacts(read)) text += formatText(fact) + ". ";
+    return text + fmt::format("Changed in reading: {}.", describeChangesWithReasons(read.warnings));
 }
 
 }  // namespace noonmark

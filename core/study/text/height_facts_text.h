@@ -3,9 +3,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/warnings.h"
 #include "core/city/building_heights.h"
+#include "core/describe/answer_page.h"
 #include "core/io/heights/height_facts.h"
 
 namespace noonmark {
@@ -22,6 +24,9 @@ std::optional<HeightFacts> parseHeightFacts(const std::string& text);
 /// "22,133 of 22,133 heights are assumed (9.6 m)" if more than maxAssumedShare are assumed; else nothing.
 std::optional<std::string> makeAssumedHeadline(const HeightCounts& counts);
 
+/// The same as a sentence.
+std::optional<Sentence> describeAssumed(const HeightCounts& counts);
+
 /// Says of each field of heights whose unit is doubtful what is, and the options that settle it; nothing
 /// without such a field.
 std::optional<std::string> makeDoubtHeadline(const HeightFacts& facts);
@@ -30,8 +35,9 @@ std::optional<std::string> makeDoubtHeadline(const HeightFacts& facts);
 /// nothing without such a file.
 std::optional<std::string> makeStandHeadline(const HeightFacts& facts);
 
-/// The headline, and the fields that the user could choose; for a message. Nothing if there is no headline.
-std::optional<std::string> makeAssumedHeightsMessage(const HeightCounts& counts, const HeightFacts& facts);
+/// What a message says of heights that may be wrong: how many are assumed and the fields that the user could
+/// choose, fields whose unit is doubtful, buildings that were not left at the elevations of their file.
+std::vector<Sentence> describeHeights(const HeightCounts& counts, const HeightFacts& facts);
 
 /// {parts, by_source: {measured: parts, ...}, assumed_share, assumed_m, fields: [{file, field, meaning, unit,
 /// features}], could_be: [{file, field, low, high, whole, features}], doubts: [...], bases: [...]}; assumed_m
@@ -42,12 +48,21 @@ nlohmann::ordered_json heightsJson(const HeightCounts& counts, const HeightFacts
 /// {repaired, clipped, dropped, left_out, assumed, duplicates}
 nlohmann::ordered_json changesJson(const Warnings& warnings);
 
+struct ReadingChange {
+    std::string kind;  ///< "repaired", "left out", "duplicates"
+    std::size_t count = 0;
+};
+std::vector<ReadingChange> countChanges(const Warnings& warnings);
+
 /// "46 repaired, 2 dropped"; "nothing" without warnings.
 std::string describeChanges(const Warnings& warnings);
 
-/// What was read, at a glance: "GeoJSON (WGS 84, as the file states), 0.4 km from Monaco, Monaco. 12
-/// buildings of 15 parts, up to 40.0 m high. Changed in reading: 46 repaired (40: its surface is not closed;
-/// it is used unchanged); 2 dropped (surfaces without area)."
+/// What was read: format and place, size, ground.
+std::vector<Sentence> listFacts(const CityRead& read);
+
+/// The same at a glance: "GeoJSON (WGS 84, as the file states), 0.4 km from Monaco, Monaco. Buildings: 12,
+/// parts: 15, up to 40 m high. On flat ground. Changed in reading: 46 repaired (40: its surface is not closed; it is
+/// used unchanged); 2 dropped (surfaces without area)."
 std::string summariseReading(const CityRead& read);
 
 }  // namespace noonmark
