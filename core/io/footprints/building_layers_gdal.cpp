@@ -35,9 +35,9 @@ public:
     [[nodiscard]] TextEncoding winner() const {
         if (bytes_.contains(TextEncoding::cp932)) return TextEncoding::cp932;
         TextEncoding best = bytes_.empty() ? TextEncoding::utf8 : TextEncoding::windows1252;
-        std::size_t most = 0;
+        std::size_t maxBytes = 0;
         for (const auto& [encoding, bytes] : bytes_)
-            if (encoding != TextEncoding::windows1252 && bytes > most) best = encoding, most = bytes;
+            if (encoding != TextEncoding::windows1252 && bytes > maxBytes) best = encoding, maxBytes = bytes;
         return best;
     }
 
