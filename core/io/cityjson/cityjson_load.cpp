@@ -169,7 +169,7 @@ void chooseGeometry(const Json& geometries, const LodChoice& choice, std::size_t
                             fmt::format("{} ({})", where, reader.broken)});
 }
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double unreadable = std::numeric_limits<double>::quiet_NaN();
 
 const Json& member(const Json& object, const char* key) {
     static const Json none;
@@ -209,7 +209,7 @@ std::vector<glm::dvec3> verticesOf(const Json& root, const Transform& transform)
     if (!list.is_array()) return vertices;
     vertices.reserve(list.size());
     for (const Json& vertex : list)
-        vertices.push_back(triple(vertex).value_or(glm::dvec3(nan)) * transform.scale + transform.translate);
+        vertices.push_back(triple(vertex).value_or(glm::dvec3(unreadable)) * transform.scale + transform.translate);
     return vertices;
 }
 

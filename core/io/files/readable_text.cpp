@@ -195,13 +195,13 @@ std::size_t countKnown(std::string_view utf8, std::u32string_view known) {
 std::optional<TextEncoding> guessEastAsian(std::string_view bytes) {
     const auto pairs = eastAsianPairs(bytes);
     if (pairs.empty()) return std::nullopt;
-    std::size_t most = 0;
+    std::size_t maxKnown = 0;
     TextEncoding likeliest = guessByBytes(pairs);
     for (const EncodingEntry& entry : encodings) {
         if (entry.characters.empty()) continue;
         const auto text = converted(bytes, entry.encoding);
         const std::size_t known = text ? countKnown(*text, entry.characters) : 0;
-        if (known > most) most = known, likeliest = entry.encoding;
+        if (known > maxKnown) maxKnown = known, likeliest = entry.encoding;
     }
     return converted(bytes, likeliest) ? std::optional(likeliest) : std::nullopt;
 }

@@ -221,7 +221,7 @@ Tree deciduousAt(double x) {
     return tree;
 }
 
-City cityWith(std::vector<Tree> trees) {
+City cityOf(std::vector<Tree> trees) {
     City city;
     city.trees = std::make_shared<const Trees>(Trees{std::move(trees), {106, 320}});
     return city;
@@ -253,8 +253,8 @@ TEST(EvergreenBelts, AreRowsOfDenseCrownsThatNearlyTouch) {
 
 TEST(RuleTreesCounted, AreThoseThatTheRuleNames) {
     using testing::ElementsAre;
-    const City before = cityWith({deciduousAt(0), evergreenAt(30)});
-    const City after = cityWith({deciduousAt(0), evergreenAt(30), deciduousAt(60), evergreenAt(90)});
+    const City before = cityOf({deciduousAt(0), evergreenAt(30)});
+    const City after = cityOf({deciduousAt(0), evergreenAt(30), deciduousAt(60), evergreenAt(90)});
     const auto counted = [&](RuleTrees trees) { return countedPlaces(trees, after, before); };
     EXPECT_THAT(counted(RuleTrees::without), ElementsAre());
     EXPECT_THAT(counted(RuleTrees::evergreens), ElementsAre(30, 90));
