@@ -209,7 +209,8 @@ std::vector<glm::dvec3> verticesOf(const Json& root, const Transform& transform)
     if (!list.is_array()) return vertices;
     vertices.reserve(list.size());
     for (const Json& vertex : list)
-        vertices.push_back(triple(vertex).value_or(glm::dvec3(unreadable)) * transform.scale + transform.translate);
+        vertices.push_back(triple(vertex).value_or(glm::dvec3(unreadable)) * transform.scale +
+                           transform.translate);
     return vertices;
 }
 
