@@ -27,7 +27,7 @@ struct Quiet final : Progress {
 };
 
 City cityAt(LonLat origin, const std::vector<Box3>& boxes) {
-    City city = tests::cityOf(boxes);
+    City city = tests::cityOfTrees(boxes);
     city.frame = Frame(origin);
     return city;
 }
@@ -221,7 +221,7 @@ Tree deciduousAt(double x) {
     return tree;
 }
 
-City cityOf(std::vector<Tree> trees) {
+City cityOfTrees(std::vector<Tree> trees) {
     City city;
     city.trees = std::make_shared<const Trees>(Trees{std::move(trees), {106, 320}});
     return city;
@@ -253,8 +253,8 @@ TEST(EvergreenBelts, AreRowsOfDenseCrownsThatNearlyTouch) {
 
 TEST(RuleTreesCounted, AreThoseThatTheRuleNames) {
     using testing::ElementsAre;
-    const City before = cityOf({deciduousAt(0), evergreenAt(30)});
-    const City after = cityOf({deciduousAt(0), evergreenAt(30), deciduousAt(60), evergreenAt(90)});
+    const City before = cityOfTrees({deciduousAt(0), evergreenAt(30)});
+    const City after = cityOfTrees({deciduousAt(0), evergreenAt(30), deciduousAt(60), evergreenAt(90)});
     const auto counted = [&](RuleTrees trees) { return countedPlaces(trees, after, before); };
     EXPECT_THAT(counted(RuleTrees::without), ElementsAre());
     EXPECT_THAT(counted(RuleTrees::evergreens), ElementsAre(30, 90));
