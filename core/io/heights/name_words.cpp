@@ -25,7 +25,7 @@ constexpr std::array vocabularies{
                "height heights hgt hgts hght ht heigth hoehe hoehen hohe hohen hauteur hauteurs haut altura "
                "alturas alcada altezza altezze hoogte hoogtes hojd hojder hojde hoejd hoejde hoyde hoyder "
                "korkeus korgus wysokosc wys vyska vysky visina viska magassag inaltime yukseklik υψοσ высота "
-               "висота 高さ 高度 高 height 높이 tinggi ketinggian chieucao cao"},
+               "висота 高さ 高度 高 height 높이 樓高 楼高 tinggi ketinggian chieucao cao"},
     Vocabulary{
         NameWord::storey,
         "storey storeys story stories floor floors flr flrs levels etage etages etager etasje etasjer "
