@@ -1,7 +1,6 @@
 #include <QAction>
 #include <QClipboard>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QFile>
 #include <QGuiApplication>
 #include <QLabel>
