@@ -1,12 +1,13 @@
 #pragma once
 
-#include <QDockWidget>
+#include <QAction>
 #include <QLabel>
 #include <QPushButton>
 
 #include "app/gui/docks/review/glazing/glazing_panel.h"
 #include "app/gui/docks/review/glazing/glazing_session.h"
 #include "app/gui/docks/review/review_dock.h"
+#include "app/gui/docks/review/review_form.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark::test {
@@ -18,14 +19,14 @@ struct GlazingReviewWindow : ProjectWindow {
         StudySettings study = workbench().document().settings();
         study.period.zone = "Europe/Amsterdam";
         workbench().document().change(study, QStringLiteral("zone"));
-        for (QDockWidget* one : window->findChildren<QDockWidget*>())
-            if (one->isAncestorOf(&dock())) one->show();
-        ASSERT_TRUE(waitFor([this] { return dock().isVisible(); }));
+        window->findChild<QAction*>(QStringLiteral("reviewByRule"))->trigger();
+        ASSERT_TRUE(waitFor([this] { return dock().isVisible() && question().isVisible(); }));
         choose("en-17037");
     }
     GlazingSession& windows() { return window->glazingReview(); }
     ReviewDock& dock() { return *window->findChild<ReviewDock*>(); }
-    GlazingForm& form() { return *dock().findChild<GlazingForm*>(); }
+    ReviewForm& question() { return *window->findChild<ReviewForm*>(); }
+    GlazingForm& form() { return *question().findChild<GlazingForm*>(); }
     QString state() { return dock().findChild<QLabel*>(QStringLiteral("reviewState"))->text(); }
     void choose(const std::string& rule) {
         ReviewChoice choice = window->review().choice();
@@ -33,7 +34,7 @@ struct GlazingReviewWindow : ProjectWindow {
         window->review().choose(choice);
     }
     void run() {
-        dock().findChild<QPushButton*>(QStringLiteral("runReview"))->click();
+        question().findChild<QPushButton*>(QStringLiteral("runReview"))->click();
         ASSERT_TRUE(waitFor([this] { return !windows().running().busy(); }));
     }
 };

@@ -22,6 +22,7 @@
 #include "app/gui/docks/results/results_dock.h"
 #include "app/gui/docks/review/place_list.h"
 #include "app/gui/docks/review/review_dock.h"
+#include "app/gui/docks/review/review_form.h"
 #include "app/gui/docks/scenarios/scenario_bar.h"
 #include "app/gui/docks/scenarios/scenario_table.h"
 #include "app/gui/docks/scenarios/scenarios_dock.h"
@@ -78,6 +79,7 @@ MainWindow::MainWindow(QSettings& settings, std::shared_ptr<Workbench> workbench
              new ScenariosDock(workbench_.session(), settings),
              new WeightsDock(workbench_.session()),
              new WarningsDock,
+             new ReviewForm(review_, glazingReview_, workbench_.session()),
              new ReviewDock(review_, glazingReview_, workbench_.session()),
              new PointDock(points_),
              new ElementsDock,
@@ -111,7 +113,8 @@ MainWindow::MainWindow(QSettings& settings, std::shared_ptr<Workbench> workbench
       places_(workbench_, opening_, tools_, *panel_, *docks_.project, *this),
       photograph_(workbench_, panel_->messages(), *this),
       trees_(workbench_, panel_->messages(), *this),
-      reviews_(review_, glazingReview_, *docks_.review, tools_.context().preview, places_, *panel_),
+      reviews_(review_, glazingReview_, {*docks_.reviewForm, *docks_.review}, tools_.context().preview,
+               places_, *panel_),
       answers_({workbench_, review_, glazingReview_, docks_.weights->model()}, docks_.scenarios->table()),
       scenarios_(workbench_, answers_, *docks_.project, *docks_.scenarios),
       edits_(workbench_, tools_, mode_, *panel_),
@@ -245,12 +248,12 @@ void MainWindow::connectJobs() {
     connect(&places_, &PlaceActions::treesFound, &trees_, &TreeActions::ask);
     connect(&tools_, &EditTools::inventoryRequested, &trees_, &TreeActions::askForFile);
     connect(&reviews_, &ReviewActions::exportRequested, &results_, &ResultActions::askForExport);
-    connect(&tools_.building(), &BuildingEditing::selectionChanged, docks_.review, [this] {
+    connect(&tools_.building(), &BuildingEditing::selectionChanged, docks_.reviewForm, [this] {
         const BuildingEditing& building = tools_.building();
-        docks_.review->setSelectedBuilding(building.selected() ? QString::fromStdString(building.id())
-                                                               : QString());
+        docks_.reviewForm->setSelectedBuilding(building.selected() ? QString::fromStdString(building.id())
+                                                                   : QString());
     });
-    connect(&reviews_, &ReviewActions::dockRequested, this, [this] { showDock(docks_.review); });
+    connect(&reviews_, &ReviewActions::dockRequested, this, &MainWindow::showReview);
     for (JobSlot* slot :
          {&workbench_.saving(), &tools_.context().preview.working(),
           &tools_.context().preview.measuringFacades(), &time_.moments().working(), &points_.working()})
@@ -399,7 +402,7 @@ void MainWindow::connectElementForms() {
         ProjectSession& session = workbench_.session();
         return findElementParts(elements, session.project(), *session.city()).value_or(elements);
     });
-    for (ElementForm* form : {&docks_.study->elements(), &docks_.review->elements()}) {
+    for (ElementForm* form : {&docks_.study->elements(), &docks_.reviewForm->elements()}) {
         picking_.serve(*form);
         connect(&workbench_.session(), &ProjectSession::changed, form, [this, form] {
             QStringList lots, places;
@@ -415,7 +418,7 @@ void MainWindow::connectElementForms() {
 // The panels that a kind of study needs, or the baseline of a comparison.
 void MainWindow::chooseKind(StudyKind kind) {
     ProjectSession& session = workbench_.session();
-    if (kind == StudyKind::review) return showDock(docks_.review);
+    if (kind == StudyKind::review) return showReview();
     if (kind == StudyKind::score) return showDock(docks_.weights);
     if (kind == StudyKind::places) return;  // the form asks for all of it
     if (kind == StudyKind::shadow) return session.compareWith({});
@@ -459,7 +462,13 @@ void MainWindow::showModes() {
     panel_->results().setMode(mode_.mode());
     activateExploration();
     showVerdicts();
-    if (mode_.mode() == ViewMode::review) showDock(docks_.review);
+    if (mode_.mode() == ViewMode::review) showReview();
+}
+
+// The question at the left, its answer below.
+void MainWindow::showReview() {
+    showDock(docks_.review);
+    showDock(docks_.reviewForm);
 }
 
 // Painted only where they are shown.

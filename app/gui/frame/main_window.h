@@ -122,6 +122,7 @@ private:
     void activateExploration();
     void explore();
     void showModes();
+    void showReview();
     void showVerdicts();
     void useMapsOfPaper();
     void answerCard(StartQuestion question);

@@ -23,6 +23,7 @@
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/results_dock.h"
 #include "app/gui/docks/review/review_dock.h"
+#include "app/gui/docks/review/review_form.h"
 #include "app/gui/docks/review/review_session.h"
 #include "app/gui/docks/scenarios/scenarios_dock.h"
 #include "app/gui/docks/study_form/study_dock.h"
@@ -141,7 +142,8 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
         dockOf(QObject::tr("Building"), "buildingDock", scrolled(docks.building, studyWidth));
     QDockWidget* tower = dockOf(QObject::tr("Tower"), "towerDock", docks.tower);
     QDockWidget* trees = dockOf(QObject::tr("Trees"), "treesDock", docks.trees);
-    QDockWidget* review = dockOf(QObject::tr("Review"), "reviewDock", docks.review);
+    QDockWidget* rule = dockOf(QObject::tr("Review"), "reviewFormDock", docks.reviewForm);
+    QDockWidget* review = dockOf(QObject::tr("Verdicts"), "reviewDock", docks.review);
     QDockWidget* point = dockOf(QObject::tr("Point"), "pointDock", docks.point);
     QDockWidget* elements = dockOf(QObject::tr("Facades and points"), "elementsDock", docks.elements);
     QDockWidget* contributions =
@@ -153,7 +155,7 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     window.addDockWidget(Qt::BottomDockWidgetArea, review);
     for (QDockWidget* beside : {point, elements}) window.tabifyDockWidget(review, beside);
     window.addDockWidget(Qt::LeftDockWidgetArea, study);
-    for (QDockWidget* beside : {project, building, tower, trees, warnings})
+    for (QDockWidget* beside : {rule, project, building, tower, trees, warnings})
         window.tabifyDockWidget(study, beside);
     study->raise();
     window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);  // five names, on a narrow panel
@@ -165,12 +167,12 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     results->raise();
     // They open when they have something to say, or on wish: the view has their room until then.
     for (QDockWidget* dock :
-         {review, point, elements, results, places, contributions, scenarios, weights, warnings, trees})
+         {rule, review, point, elements, results, places, contributions, scenarios, weights, warnings, trees})
         dock->hide();
     window.resizeDocks({study}, {studyWidth}, Qt::Horizontal);
     QList<QAction*> toggles;
-    for (QDockWidget* dock : {project, study, results, contributions, scenarios, weights, places, review,
-                              point, elements, building, tower, trees, warnings}) {
+    for (QDockWidget* dock : {project, study, results, contributions, scenarios, weights, places, rule,
+                              review, point, elements, building, tower, trees, warnings}) {
         toggles << dock->toggleViewAction();
         QObject::connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
             if (shown) dock->raise();

@@ -23,6 +23,7 @@ class PointDock;
 class ProjectDock;
 class ResultsDock;
 class ReviewDock;
+class ReviewForm;
 class ScenariosDock;
 class StudyDock;
 class WarningsDock;
@@ -36,6 +37,7 @@ struct WindowDocks {
     ScenariosDock* scenarios;
     WeightsDock* weights;
     WarningsDock* warnings;
+    ReviewForm* reviewForm;
     ReviewDock* review;
     PointDock* point;
     ElementsDock* elements;

@@ -139,13 +139,12 @@ struct WorstSpot {
 
 /// Takes the worst of these spots, most shadow or least sun, if it is worse than `worst`. Returns the figure
 /// of each spot.
-std::vector<std::uint32_t> takeWorse(const Criterion& criterion, const PlaceShadow& shadow, bool former,
+std::vector<std::uint32_t> takeWorse(const Criterion& criterion, RunsOfDay& day, bool former,
                                      std::optional<WorstSpot>& worst) {
-    const SpotRuns runs =
-        countRuns(shadow, criterion.quantity, former, {criterion.runs, criterion.dropShorterMin});
+    const SpotRuns& runs = day.count(criterion.quantity, former, {criterion.runs, criterion.dropShorterMin});
     const std::vector<std::uint32_t>& all = stepsOf(runs, criterion.measure);
     std::vector<std::uint32_t> steps = all;
-    leaveOutBeside(shadow, criterion.quantity, steps);
+    leaveOutBeside(day.shadow(), criterion.quantity, steps);
     if (steps.empty()) return all;
     const bool minimum = criterion.quantity == Quantity::sun;
     const auto found = minimum ? std::ranges::min_element(steps) : std::ranges::max_element(steps);
@@ -174,10 +173,10 @@ std::optional<std::uint32_t> boundOfTheRest(const Criterion& criterion, const Da
 /// all others, and one of a cell that no point lies in by what lies between that cell and those beside it.
 Measured measureWorstSpot(const Criterion& criterion, const DayShadow& day, bool former) {
     std::optional<WorstSpot> worst;
-    const std::vector<std::uint32_t> steps = takeWorse(criterion, day.shadow(), former, worst);
+    const std::vector<std::uint32_t> steps = takeWorse(criterion, day.runs().front(), former, worst);
     if (!worst) return {};
     double beyond = 0;
-    for (const PlaceShadow& spots : day.spots()) {
+    for (RunsOfDay& spots : day.runs().subspan(1)) {
         const double before = worst->steps;
         takeWorse(criterion, spots, former, worst);
         beyond = std::abs(before - double(worst->steps));
@@ -234,7 +233,7 @@ RunSettings runSettingsOf(const Criterion& criterion) {
 
 Measured measureShare(const Criterion& criterion, const DayShadow& day, bool former) {
     const PlaceShadow& shadow = day.shadow();
-    const SpotRuns runs = countRuns(shadow, criterion.quantity, former, runSettingsOf(criterion));
+    const SpotRuns& runs = day.runs().front().count(criterion.quantity, former, runSettingsOf(criterion));
     const RunError error{day.stepMin(), day.runErrorMin()};
     MeetingSpots spots(shadow);
     for (std::size_t cell = 0; cell < runs.total.size(); ++cell) {
@@ -269,12 +268,11 @@ ExcessOfSpot findExcess(const Criterion& criterion, const RunCounts& now, const 
 }
 
 /// Calls `take(spot, excess)` for each spot.
-void findExcesses(const Criterion& criterion, const PlaceShadow& shadow, const RunError& error,
-                  const auto& take) {
+void findExcesses(const Criterion& criterion, RunsOfDay& day, const RunError& error, const auto& take) {
     const RunSettings settings = runSettingsOf(criterion);
-    const SpotRuns now = countRuns(shadow, criterion.quantity, false, settings),
-                   former = countRuns(shadow, criterion.quantity, true, settings);
-    const std::vector<bool> more = findSpotsWithMore(shadow, criterion.quantity);
+    const SpotRuns &now = day.count(criterion.quantity, false, settings),
+                   &former = day.count(criterion.quantity, true, settings);
+    const std::vector<bool> more = findSpotsWithMore(day.shadow(), criterion.quantity);
     for (std::size_t spot = 0; spot < now.total.size(); ++spot)
         take(spot, findExcess(criterion, runsOf(now, spot), runsOf(former, spot), more[spot], error));
 }
@@ -286,12 +284,12 @@ Measured measureAreaOver(const Criterion& criterion, const DayShadow& day) {
     const RunError error{day.stepMin(), day.runErrorMin()};
     const double cellM2 = day.shadow().cellAreaM2;
     MeetingSpots cells(day.shadow());
-    findExcesses(criterion, day.shadow(), error, [&](std::size_t cell, const ExcessOfSpot& excess) {
+    findExcesses(criterion, day.runs().front(), error, [&](std::size_t cell, const ExcessOfSpot& excess) {
         cells.take(cell, excess.surely, excess.measured, excess.possibly);
     });
     const Measured count = cells.count();
     bool anyPoint = false;
-    for (const PlaceShadow& points : day.spots())
+    for (RunsOfDay& points : day.runs().subspan(1))
         findExcesses(criterion, points, error, [&](std::size_t, const ExcessOfSpot& excess) {
             anyPoint = anyPoint || excess.possibly;
         });

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/measures/places/place_sums.h"
 #include "core/review/criteria/spot_runs.h"
@@ -21,7 +22,8 @@ struct CriterionResult {
 /// relative to the baseline. A criterion that has no other limit is stated only.
 Rule dropComparisons(Rule rule);
 
-/// The measured value of a criterion on one day. `runs` counts the runs of a quantity once for all criteria.
+/// A place's shadow on one day as its figures and criteria look at it: runs of each quantity are counted
+/// once.
 class DayShadow {
 public:
     /// `spots`: points near the worst spots (refineWorstSpots()); they count for figures of single spots
@@ -32,10 +34,15 @@ public:
           cells_(countShadedCells(shadow)),
           areaM2_(shadow.areaM2()),
           centres_(countCentres(shadow)),
-          engineErrorMin_(engineErrorMin) {}
+          engineErrorMin_(engineErrorMin) {
+        runs_.emplace_back(shadow);
+        for (const PlaceShadow& near : spots) runs_.emplace_back(near);
+    }
 
     [[nodiscard]] const PlaceShadow& shadow() const { return shadow_; }
     [[nodiscard]] std::span<const PlaceShadow> spots() const { return spots_; }
+    /// Of the shadow, then of each of the spots. Counts when asked: not for two threads at once.
+    [[nodiscard]] std::span<RunsOfDay> runs() const { return runs_; }
     [[nodiscard]] const ShadedCells& cells() const { return cells_; }
     [[nodiscard]] double areaM2() const { return areaM2_; }
     /// Number of cells whose centre lies in the place.
@@ -51,6 +58,7 @@ private:
     double areaM2_;
     std::size_t centres_;
     double engineErrorMin_;
+    mutable std::vector<RunsOfDay> runs_;
 };
 
 /// The errors: each run is uncertain by a step and the engine's error, an area by half of the cells that its

@@ -79,7 +79,9 @@ bool continuesFrom(const PlaceShadow& shadow, std::size_t step) {
 class RunCounter {
 public:
     RunCounter(SpotRuns& runs, const RunSettings& settings, double stepMinutes, std::size_t firstCell)
-        : runs_(runs), settings_(settings), stepMinutes_(stepMinutes), firstCell_(firstCell) {}
+        : runs_(runs), settings_(settings), stepMinutes_(stepMinutes), firstCell_(firstCell) {
+        if (settings.longest > 1) top_.resize(64);
+    }
 
     void take(std::uint64_t bits, std::size_t step) {
         for (std::uint64_t ended = current_ & ~bits; ended != 0; ended &= ended - 1)
@@ -90,11 +92,10 @@ public:
     }
 
     void finish() {
-        for (std::size_t lane = 0; lane < 64; ++lane) {
-            const auto& top = top_[lane];
+        for (std::size_t lane = 0; lane < top_.size(); ++lane)
             for (int i = 0; i < settings_.longest; ++i)
-                if (top[std::size_t(i)] > 0) runs_.longestRuns[firstCell_ + lane] += top[std::size_t(i)];
-        }
+                if (const std::uint32_t length = top_[lane][std::size_t(i)]; length > 0)
+                    runs_.longestRuns[firstCell_ + lane] += length;
     }
 
 private:
@@ -105,6 +106,10 @@ private:
         runs_.total[cell] += length;
         runs_.count[cell] += 1;
         runs_.longest[cell] = std::max(runs_.longest[cell], length);
+        if (top_.empty()) {
+            runs_.longestRuns[cell] = runs_.longest[cell];
+            return;
+        }
         for (std::uint32_t& place : top_[lane])
             if (length > place) std::swap(length, place);
     }
@@ -115,8 +120,17 @@ private:
     std::size_t firstCell_;
     std::uint64_t current_ = 0;
     std::array<std::uint32_t, 64> begin_{};
-    std::array<std::array<std::uint32_t, 8>, 64> top_{};
+    std::vector<std::array<std::uint32_t, 8>> top_;  // empty: only the longest is wanted
 };
+
+/// Bits of the cells of a word that have the quantity, by step. False: none has it at any.
+bool readWord(const PlaceShadow& shadow, Quantity quantity, bool former, std::size_t word,
+              std::vector<std::uint64_t>& bits) {
+    std::uint64_t any = 0;
+    for (std::size_t step = 0; step < bits.size(); ++step)
+        any |= bits[step] = quantityBits(shadow, quantity, former, step, word);
+    return any != 0;
+}
 
 std::uint32_t countBits(std::span<const std::uint64_t> words) {
     std::uint32_t bits = 0;
@@ -131,16 +145,28 @@ SpotRuns countRuns(const PlaceShadow& shadow, Quantity quantity, bool former, co
     SpotRuns runs;
     for (auto* counts : {&runs.total, &runs.longest, &runs.longestRuns, &runs.count})
         counts->assign(cells, 0);
+    if (quantity == Quantity::incremental && former) return runs;
+    std::vector<std::uint64_t> bits(steps);
     for (std::size_t word = 0; word < shadow.baseline.wordsPerStep(); ++word) {
+        if (!readWord(shadow, quantity, former, word, bits)) continue;
         RunCounter counter(runs, settings, shadow.stepMinutes, word * 64);
         for (std::size_t step = 0; step < steps; ++step) {
             if (!continuesFrom(shadow, step)) counter.take(0, step);
-            counter.take(quantityBits(shadow, quantity, former, step, word), step);
+            counter.take(bits[step], step);
         }
         counter.take(0, steps);
         counter.finish();
     }
     return runs;
+}
+
+const SpotRuns& RunsOfDay::count(Quantity quantity, bool former, const RunSettings& settings) {
+    const auto known = std::ranges::find_if(counted_, [&](const Counted& one) {
+        return one.quantity == quantity && one.former == former && one.settings == settings;
+    });
+    if (known != counted_.end()) return known->runs;
+    counted_.push_back({quantity, former, settings, countRuns(*shadow_, quantity, former, settings)});
+    return counted_.back().runs;
 }
 
 void leaveOutBeside(const PlaceShadow& shadow, Quantity quantity, std::vector<std::uint32_t>& steps) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <vector>
 
@@ -58,9 +59,30 @@ struct SpotRuns {
 void leaveOutBeside(const PlaceShadow& shadow, Quantity quantity, std::vector<std::uint32_t>& steps);
 
 /// Counts the runs of a quantity; `former`: in the baseline (none of Quantity::incremental). A gap between
-/// the slots of two steps ends a run. O(cells x steps / 64 + runs).
+/// the slots of two steps ends a run. O(cells x steps / 64 + runs); words without the quantity cost no more
+/// than reading them.
 SpotRuns countRuns(const PlaceShadow& shadow, Quantity quantity, bool former,
                    const RunSettings& settings = {});
+
+/// The runs of one day's spots, counted when first asked for and kept. Refers to the shadow.
+class RunsOfDay {
+public:
+    explicit RunsOfDay(const PlaceShadow& shadow) : shadow_(&shadow) {}
+
+    [[nodiscard]] const PlaceShadow& shadow() const { return *shadow_; }
+    /// As countRuns(); valid as long as this.
+    const SpotRuns& count(Quantity quantity, bool former, const RunSettings& settings = {});
+
+private:
+    struct Counted {
+        Quantity quantity;
+        bool former;
+        RunSettings settings;
+        SpotRuns runs;
+    };
+    const PlaceShadow* shadow_;
+    std::deque<Counted> counted_;
+};
 
 /// Whether each cell has the quantity at a step at which the baseline does not have it.
 std::vector<bool> findSpotsWithMore(const PlaceShadow& shadow, Quantity quantity);

@@ -153,12 +153,12 @@ bool isNear(glm::dvec2 a, glm::dvec2 b, double distanceM) {
 }
 
 /// The worst spots of one search, at least `apartM` from each other.
-void addWorstSpots(const PlaceShadow& shadow, const SpotSearch& search,
+void addWorstSpots(RunsOfDay& day, const SpotSearch& search,
                    const std::function<glm::dvec2(std::size_t)>& positionOf, std::size_t count, double apartM,
                    std::vector<glm::dvec2>& spots) {
-    const SpotRuns runs = countRuns(shadow, search.quantity, search.former, search.runs);
-    std::vector<std::uint32_t> steps = stepsOf(runs, search.measure);
-    leaveOutBeside(shadow, search.quantity, steps);
+    std::vector<std::uint32_t> steps =
+        stepsOf(day.count(search.quantity, search.former, search.runs), search.measure);
+    leaveOutBeside(day.shadow(), search.quantity, steps);
     const bool minimum = search.quantity == Quantity::sun;
     std::vector<std::size_t> order(steps.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -181,11 +181,11 @@ void addWorstSpots(const PlaceShadow& shadow, const SpotSearch& search,
 }
 
 /// The centres of a search's suspects.
-void addSuspects(const PlaceShadow& shadow, const SpotSearch& search,
+void addSuspects(RunsOfDay& day, const SpotSearch& search,
                  const std::function<glm::dvec2(std::size_t)>& positionOf, std::vector<glm::dvec2>& spots) {
-    const SpotRuns runs = countRuns(shadow, search.quantity, search.former, search.runs);
+    const SpotRuns& runs = day.count(search.quantity, search.former, search.runs);
     for (const std::uint32_t cell :
-         listSuspects(shadow, search.quantity, stepsOf(runs, search.measure)).cells)
+         listSuspects(day.shadow(), search.quantity, stepsOf(runs, search.measure)).cells)
         spots.push_back(positionOf(cell));
 }
 
@@ -265,7 +265,7 @@ std::vector<PlaceShadow> refineWorstSpots(std::size_t place, const PlaceShadow& 
     std::vector<glm::dvec2> at;  // of the points of the round before
     for (const SearchRound& round : rounds) {
         std::vector<glm::dvec2> spots;
-        const PlaceShadow& coarser = near.empty() ? shadow : near.back();
+        RunsOfDay coarser(near.empty() ? shadow : near.back());
         const auto positionOf = [&](std::size_t i) {
             return near.empty() ? points.centreOf(place, i) : at[i];
         };

@@ -11,19 +11,25 @@ namespace noonmark {
 
 namespace {
 
-std::uint32_t mostOf(const PlaceShadow& spots, std::vector<std::uint32_t> steps) {
-    leaveOutBeside(spots, Quantity::shadow, steps);
-    return steps.empty() ? 0 : *std::ranges::max_element(steps);
+// Cells with their centre beside the place do not count.
+std::uint32_t mostOf(const PlaceShadow& spots, const std::vector<std::uint32_t>& steps) {
+    std::uint32_t most = steps.empty() ? 0 : std::ranges::max(steps);
+    const auto isMost = [&](const UnevenCell& cell) { return cell.isBeside && steps[cell.bit] == most; };
+    if (most == 0 || std::ranges::none_of(spots.uneven, isMost)) return most;
+    std::vector<std::uint32_t> left = steps;
+    leaveOutBeside(spots, Quantity::shadow, left);
+    return std::ranges::max(left);
 }
 
 /// Raises the most minutes of shadow at one spot to those of these spots.
-void takeMostShadow(ReviewRow& row, const PlaceShadow& spots) {
+void takeMostShadow(ReviewRow& row, RunsOfDay& day) {
+    const PlaceShadow& spots = day.shadow();
     const double stepMin = spots.stepMinutes;
-    const SpotRuns added = countRuns(spots, Quantity::incremental, false);
+    const SpotRuns& added = day.count(Quantity::incremental, false);
     row.maxPointMin = std::max(row.maxPointMin, mostOf(spots, added.total) * stepMin);
     row.maxPointRunMin = std::max(row.maxPointRunMin, mostOf(spots, added.longest) * stepMin);
-    row.totalMaxPointMin = std::max(row.totalMaxPointMin,
-                                    mostOf(spots, countRuns(spots, Quantity::shadow, false).total) * stepMin);
+    row.totalMaxPointMin =
+        std::max(row.totalMaxPointMin, mostOf(spots, day.count(Quantity::shadow, false).total) * stepMin);
 }
 
 /// Steps of sun at the spot with least of it, and of the longest run where that is shortest.
@@ -33,21 +39,22 @@ struct LeastSun {
 };
 
 /// Takes the spots with least sun of these if they have less than those so far.
-void takeLeastSun(ReviewRow& row, const PlaceShadow& spots, LeastSun& minimum) {
-    SpotRuns sun = countRuns(spots, Quantity::sun, false);
-    leaveOutBeside(spots, Quantity::sun, sun.total);
+void takeLeastSun(ReviewRow& row, RunsOfDay& day, LeastSun& minimum) {
+    const PlaceShadow& spots = day.shadow();
+    const SpotRuns& sun = day.count(Quantity::sun, false);
     if (sun.total.empty()) return;
-    std::vector<std::uint32_t> longest = sun.longest;
+    std::vector<std::uint32_t> total = sun.total, longest = sun.longest;
+    leaveOutBeside(spots, Quantity::sun, total);
     leaveOutBeside(spots, Quantity::sun, longest);
     const std::uint32_t shortest = *std::ranges::min_element(longest);
     if (shortest < minimum.longest) {
         minimum.longest = shortest;
         row.minLongestSunMin = shortest * spots.stepMinutes;
     }
-    const auto spot = std::size_t(std::ranges::min_element(sun.total) - sun.total.begin());
-    if (minimum.total && sun.total[spot] >= *minimum.total) return;
-    minimum.total = sun.total[spot];
-    row.minSunMin = sun.total[spot] * spots.stepMinutes;
+    const auto spot = std::size_t(std::ranges::min_element(total) - total.begin());
+    if (minimum.total && total[spot] >= *minimum.total) return;
+    minimum.total = total[spot];
+    row.minSunMin = total[spot] * spots.stepMinutes;
     row.minSunRunMin = sun.longest[spot] * spots.stepMinutes;
     row.minSunIntervals = int(sun.count[spot]);
 }
@@ -69,9 +76,7 @@ void addTimes(ReviewRow& row, const DayTimeline& timeline, const DayClock& clock
 
 void addSpots(ReviewRow& row, const DayShadow& day) {
     LeastSun minimum;
-    takeMostShadow(row, day.shadow());
-    takeLeastSun(row, day.shadow(), minimum);
-    for (const PlaceShadow& spots : day.spots()) {
+    for (RunsOfDay& spots : day.runs()) {
         takeMostShadow(row, spots);
         takeLeastSun(row, spots, minimum);
     }

@@ -1,6 +1,6 @@
+#include <QAction>
 #include <QClipboard>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QFile>
 #include <QGuiApplication>
 #include <QLabel>
@@ -12,6 +12,7 @@
 #include "app/gui/docks/export/export_dialog.h"
 #include "app/gui/docks/review/chart_panels.h"
 #include "app/gui/docks/review/review_dock.h"
+#include "app/gui/docks/review/review_form.h"
 #include "app/gui/docks/review/verdict_table.h"
 #include "app/gui/docks/sheets/book_view.h"
 #include "app/gui/docks/sheets/sheet_form.h"
@@ -49,10 +50,10 @@ struct ReviewWindow : test::ProjectWindow {
     }
     ReviewSession& review() { return window->review(); }
     ReviewDock& dock() { return *window->findChild<ReviewDock*>(); }
+    ReviewForm& form() { return *window->findChild<ReviewForm*>(); }
     void showDock() {
-        for (QDockWidget* one : window->findChildren<QDockWidget*>())
-            if (one->isAncestorOf(&dock())) one->show();
-        ASSERT_TRUE(waitFor([this] { return dock().isVisible(); }));
+        window->findChild<QAction*>(QStringLiteral("reviewByRule"))->trigger();
+        ASSERT_TRUE(waitFor([this] { return dock().isVisible() && form().isVisible(); }));
     }
     void choose(const std::string& rule) {
         ReviewChoice choice = review().choice();
@@ -215,7 +216,7 @@ TEST_F(ReviewWindow, OfManyPlacesThoseInReachAreReviewed) {
     EXPECT_EQ(namesOf(asked.places), std::vector<std::string>{"Park"});
     EXPECT_EQ(asked.named, std::vector<std::string>{"all"});
     EXPECT_TRUE(asked.inReach);
-    dock().findChild<QPushButton*>(QStringLiteral("allPlacesToReview"))->click();
+    form().findChild<QPushButton*>(QStringLiteral("allPlacesToReview"))->click();
     EXPECT_FALSE(review().whyOutdated().isEmpty());
     EXPECT_EQ(review().question()->places.size(), 62U);
 }

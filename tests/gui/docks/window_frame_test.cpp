@@ -11,7 +11,7 @@
 #include <QTest>
 
 #include "app/gui/docks/results/results_dock.h"
-#include "app/gui/docks/review/review_dock.h"
+#include "app/gui/docks/review/review_form.h"
 #include "app/gui/docks/study_form/element_form.h"
 #include "app/gui/frame/actions/edit_actions.h"
 #include "app/gui/frame/window_layout.h"
@@ -126,7 +126,7 @@ TEST_F(ProjectWindow, AReviewLeavesASmallScreenToTheViewAndDoesNotWidenTheWindow
     ReviewChoice choice = window->review().choice();
     choice.rule = "en-17037";
     window->review().choose(choice);
-    ElementForm& form = window->findChild<ReviewDock*>()->elements();
+    ElementForm& form = window->findChild<ReviewForm*>()->elements();
     ASSERT_TRUE(waitFor([&] { return form.isVisible(); }));
     QCoreApplication::processEvents();
     EXPECT_EQ(window->size(), screen) << "a long form scrolls";

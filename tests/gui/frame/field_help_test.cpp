@@ -104,7 +104,7 @@ TEST(GuidePlaces, AllNameAPageAndAHeadingThatThereAre) {
     const char* const parts[] = {"studyDock",        "resultsDock",  "scenariosDock", "projectDock",
                                  "weightsDock",      "warningsDock", "reviewDock",    "pointDock",
                                  "buildingDock",     "towerDock",    "modeBar",       "timeStrip",
-                                 "contributionsDock"};
+                                 "contributionsDock", "reviewFormDock"};
     QWidget part;
     for (const char* name : parts) {
         part.setObjectName(QString::fromLatin1(name));

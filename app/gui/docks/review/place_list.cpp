@@ -55,7 +55,7 @@ PlaceList::PlaceList(QWidget* parent)
     filter_->setClearButtonEnabled(true);
     list_->setObjectName(QStringLiteral("reviewPlaces"));
     list_->setUniformItemSizes(true);
-    list_->setMinimumHeight(50);
+    list_->setMinimumHeight(90);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     count_->setWordWrap(true);
     auto* row = new QHBoxLayout;
@@ -68,10 +68,10 @@ PlaceList::PlaceList(QWidget* parent)
     screen->setObjectName(QStringLiteral("screen"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(filter_);
-    column->addWidget(list_, 1);
     column->addLayout(row);
     column->addWidget(count_);
+    column->addWidget(filter_);
+    column->addWidget(list_, 1);
     connect(filter_, &QLineEdit::textChanged, this, &PlaceList::filter);
     connect(list_, &QListWidget::itemChanged, this, &PlaceList::take);
     connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {

@@ -5,27 +5,20 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QTextBrowser>
-#include <QTimer>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <utility>
 
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
-#include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/docks/review/chart_panels.h"
 #include "app/gui/docks/review/glazing/glazing_panel.h"
 #include "app/gui/docks/review/glazing/glazing_session.h"
-#include "app/gui/docks/review/place_list.h"
-#include "app/gui/docks/review/rule_form.h"
 #include "app/gui/docks/review/verdict_table.h"
 #include "app/gui/session/project/project_session.h"
 #include "app/gui/session/study/region_text.h"
@@ -36,9 +29,6 @@
 namespace noonmark {
 
 namespace {
-
-constexpr int estimateDelayMs = 600;
-constexpr int formWidth = 250;
 
 QString describeSums(const ReviewTotals& sums, UnitSystem units) {
     const auto share = [&](double m2h) {
@@ -81,17 +71,10 @@ ReviewDock::ReviewDock(ReviewSession& review, GlazingSession& windows, ProjectSe
       review_(review),
       windows_(windows),
       project_(project),
-      form_(new RuleForm(review.library())),
-      subjects_(new QStackedWidget),
-      places_(new PlaceList),
-      glazingForm_(new GlazingForm),
-      run_(new QPushButton(tr("Run review"))),
       copy_(new QPushButton(tr("Copy"))),
       export_(new QPushButton(tr("Export..."))),
-      estimate_(new QLabel),
       state_(new QLabel),
       details_(new QLabel),
-      progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       tables_(new QStackedWidget),
       table_(new VerdictTable),
       glazingPanel_(new GlazingPanel),
@@ -99,47 +82,18 @@ ReviewDock::ReviewDock(ReviewSession& review, GlazingSession& windows, ProjectSe
       tabs_(new QTabWidget),
       day_(new DayPanel),
       range_(new RangePanel),
-      about_(new QTextBrowser),
-      estimateSoon_(new QTimer(this)) {
+      about_(new QTextBrowser) {
     auto* parts = new QSplitter(Qt::Horizontal);
-    for (QWidget* part : {makeForm(), makeTable(), makeCharts()}) parts->addWidget(part);
-    parts->setStretchFactor(0, 0);
-    parts->setStretchFactor(1, 3);
-    parts->setStretchFactor(2, 2);
-    parts->setSizes({250, 560, 430});
+    for (QWidget* part : {makeTable(), makeCharts()}) parts->addWidget(part);
+    parts->setStretchFactor(0, 3);
+    parts->setStretchFactor(1, 2);
+    parts->setSizes({560, 430});
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 2, 4, 2);
     column->addWidget(parts);
-    estimateSoon_->setSingleShot(true);
-    estimateSoon_->setInterval(estimateDelayMs);
-    connect(estimateSoon_, &QTimer::timeout, this,
-            [this] { windows_.applies() ? windows_.estimate() : review_.estimate(); });
     connectSession();
     connectTable();
     showChart();
-}
-
-QWidget* ReviewDock::makeForm() {
-    run_->setObjectName(QStringLiteral("runReview"));
-    run_->setToolTip(tr("Evaluate the rule on the ticked places, or on the windows"));
-    estimate_->setObjectName(QStringLiteral("reviewEstimate"));
-    estimate_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // it must not widen the window
-    auto* content = new QWidget;
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(2, 2, 2, 2);
-    column->addWidget(form_);
-    for (QWidget* subject : {static_cast<QWidget*>(places_), static_cast<QWidget*>(glazingForm_)})
-        subjects_->addWidget(subject);
-    column->addWidget(subjects_, 1);
-    // It scrolls where the window is low: a rule about windows asks for more than a small screen holds.
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(std::max(formWidth, content->minimumSizeHint().width()) +
-                            scroll->verticalScrollBar()->sizeHint().width());
-    return scroll;
 }
 
 QWidget* ReviewDock::makeTable() {
@@ -151,19 +105,12 @@ QWidget* ReviewDock::makeTable() {
         tr("Writes the sheets (PDF), the table (CSV), the data (JSON), and the shadows for CAD and GIS (DXF, "
            "GeoPackage)"));
     auto* row = new QHBoxLayout;
-    row->addWidget(run_);
-    row->addStretch(1);
-    row->addWidget(copy_);
-    row->addWidget(export_);
+    row->addWidget(state_, 1);
+    for (QWidget* button : {copy_, export_}) row->addWidget(button, 0, Qt::AlignTop);
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(2, 2, 2, 2);
     column->addLayout(row);
-    column->addWidget(estimate_);
-    // It must not widen the dock, and with it the window, while a review runs.
-    progress_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    column->addWidget(progress_);
-    column->addWidget(state_);
     tables_->addWidget(table_);
     tables_->addWidget(glazingPanel_);
     column->addWidget(tables_, 1);
@@ -190,37 +137,9 @@ QWidget* ReviewDock::makeCharts() {
 }
 
 void ReviewDock::connectSession() {
-    progress_->follow(review_.running());
     connect(&review_, &ReviewSession::changed, this, &ReviewDock::showChoice);
     connect(&review_, &ReviewSession::answered, this, &ReviewDock::showAnswer);
-    connect(&review_, &ReviewSession::estimated, this,
-            [this](const QString& words) { showEstimate(words, false); });
-    connect(&windows_, &GlazingSession::estimated, this,
-            [this](const QString& words) { showEstimate(words, true); });
-    connect(run_, &QPushButton::clicked, this,
-            [this] { windows_.applies() ? windows_.run() : review_.run(); });
-    progress_->follow(windows_.running());
     connect(&windows_, &GlazingSession::answered, this, &ReviewDock::showAnswer);
-    connect(glazingForm_, &GlazingForm::edited, this, [this](const ElementSettings& windows) {
-        ReviewChoice choice = review_.choice();
-        choice.windows = windows;
-        review_.choose(choice);
-    });
-    connect(form_, &RuleForm::edited, &review_, &ReviewSession::choose);
-    connect(places_, &PlaceList::screenRequested, &review_, &ReviewSession::screen);
-    connect(places_, &PlaceList::highlighted, this, &ReviewDock::placePointedAt);
-    connect(places_, &PlaceList::chosen, this, [this](bool all, const std::vector<std::string>& names) {
-        ReviewChoice choice = review_.choice();
-        choice.reviewed = all ? ReviewedPlaces::all : ReviewedPlaces::chosen;
-        choice.places = names;
-        review_.choose(choice);
-    });
-}
-
-void ReviewDock::showEstimate(const QString& words, bool ofGlazing) {
-    if (ofGlazing != windows_.applies()) return;
-    estimate_->setText(words.isEmpty() ? QString() : tr("Expected time: %1").arg(words));
-    estimate_->setVisible(!words.isEmpty());
 }
 
 void ReviewDock::connectTable() {
@@ -257,16 +176,8 @@ void ReviewDock::hideEvent(QHideEvent* event) {
 
 void ReviewDock::showChoice() {
     if (!isVisible()) return;
-    const ReviewChoice& choice = review_.choice();
-    form_->setZone(review_.zone());
-    form_->show(choice, project_.project().scenarios, project_.scenario());
-    places_->show(review_.candidates(), choice, review_.reach());
-    glazingForm_->show(choice.windows);
     const bool ofGlazing = windows_.applies();
-    subjects_->setCurrentIndex(ofGlazing ? 1 : 0);
     tables_->setCurrentIndex(ofGlazing ? 1 : 0);
-    estimate_->clear();
-    estimateSoon_->start();
     ofGlazing ? glazingTable_.describeCurrent() : showDetails();
     showRule();
 }
@@ -422,10 +333,6 @@ void ReviewDock::showRule() {
     if (html != about_->property("shown").toString()) about_->setHtml(html);
     about_->setProperty("shown", html);
 }
-
-ElementForm& ReviewDock::elements() { return glazingForm_->elements(); }
-
-void ReviewDock::setSelectedBuilding(const QString& id) { glazingForm_->setBuilding(id); }
 
 void ReviewDock::copyTable() {
     QGuiApplication::clipboard()->setText(windows_.applies() ? glazingTable_.text() : table_->text());

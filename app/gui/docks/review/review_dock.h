@@ -10,27 +10,20 @@ class QPushButton;
 class QStackedWidget;
 class QTabWidget;
 class QTextBrowser;
-class QTimer;
 
 namespace noonmark {
 
 class DayPanel;
-class ElementForm;
-class PlaceList;
 class ProjectSession;
-class ProgressStrip;
 class RangePanel;
-class RuleForm;
 class VerdictTable;
 struct GlazingAnswer;
-class GlazingForm;
 class GlazingPanel;
 class GlazingSession;
 class GlazingTable;
 
-/// Chooses a rule, scenarios and places or windows, runs the review, and shows the verdicts with the numbers
-/// behind them, the timeline of the chosen place, and what the rule rests on. Empty, it states what to do
-/// next.
+/// Shows the verdicts of a review (ReviewForm asks for it) with the numbers behind them, the timeline of the
+/// chosen place, and what the rule rests on. Empty, it states what to do next.
 class ReviewDock final : public QWidget {
     Q_OBJECT
 public:
@@ -44,9 +37,6 @@ public:
     [[nodiscard]] DayPanel& day() { return *day_; }
     [[nodiscard]] RangePanel& range() { return *range_; }
     void copyTable();
-    /// The building that is selected in the view, whose windows may be reviewed; empty: none.
-    void setSelectedBuilding(const QString& id);
-    [[nodiscard]] ElementForm& elements();  ///< which windows a rule is evaluated on
 
 Q_SIGNALS:
     void placePointedAt(const std::string& place);  ///< to be highlighted in the view
@@ -58,13 +48,11 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    QWidget* makeForm();
     QWidget* makeTable();
     QWidget* makeCharts();
     void connectSession();
     void connectTable();
     void showChoice();
-    void showEstimate(const QString& words, bool ofGlazing);
     void showAnswer();
     void showUnits();
     void showState();
@@ -77,17 +65,10 @@ private:
     ReviewSession& review_;
     GlazingSession& windows_;
     ProjectSession& project_;
-    RuleForm* form_;
-    QStackedWidget* subjects_;  ///< places_ or glazingForm_
-    PlaceList* places_;
-    GlazingForm* glazingForm_;
-    QPushButton* run_;
     QPushButton* copy_;
     QPushButton* export_;
-    QLabel* estimate_;
     QLabel* state_;
-    QLabel* details_;  ///< of the chosen place
-    ProgressStrip* progress_;
+    QLabel* details_;         ///< of the chosen place
     QStackedWidget* tables_;  ///< table_ or glazingPanel_
     VerdictTable* table_;
     GlazingPanel* glazingPanel_;
@@ -96,7 +77,6 @@ private:
     DayPanel* day_;
     RangePanel* range_;
     QTextBrowser* about_;
-    QTimer* estimateSoon_;
     std::shared_ptr<const ReviewAnswer> answer_;  ///< in the table
     std::shared_ptr<const GlazingAnswer> glazingAnswer_;
     UnitSystem units_ = UnitSystem::metric;  ///< in which all is shown

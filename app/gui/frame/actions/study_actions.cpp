@@ -10,6 +10,7 @@
 #include "app/gui/docks/results/result_display.h"
 #include "app/gui/docks/review/glazing/glazing_session.h"
 #include "app/gui/docks/review/review_dock.h"
+#include "app/gui/docks/review/review_form.h"
 #include "app/gui/docks/review/verdict_table.h"
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/docks/weights/weights_dock.h"
@@ -185,7 +186,7 @@ void StudyActions::showStopped(bool cancelled) {
     panel_.messages().showNote(isShown ? tr("Cancelled. The previous answer is shown.") : tr("Cancelled."));
 }
 
-ReviewActions::ReviewActions(ReviewSession& review, GlazingSession& windows, ReviewDock& dock,
+ReviewActions::ReviewActions(ReviewSession& review, GlazingSession& windows, const Panels& panels,
                              EditPreview& preview, PlaceActions& places, ViewPanel& panel)
     : review_(review),
       windows_(windows),
@@ -198,9 +199,10 @@ ReviewActions::ReviewActions(ReviewSession& review, GlazingSession& windows, Rev
     show_->setObjectName(QStringLiteral("reviewByRule"));
     connect(show_, &QAction::triggered, this, &ReviewActions::dockRequested);
     connect(export_, &QAction::triggered, this, &ReviewActions::exportReview);
-    connect(&dock, &ReviewDock::exportRequested, this, &ReviewActions::exportReview);
-    connect(&dock, &ReviewDock::placePointedAt, &panel_, &ViewPanel::highlightPlace);
-    connect(&dock, &ReviewDock::zoomRequested, &places, &PlaceActions::zoomTo);
+    connect(&panels.answer, &ReviewDock::exportRequested, this, &ReviewActions::exportReview);
+    connect(&panels.question, &ReviewForm::placePointedAt, &panel_, &ViewPanel::highlightPlace);
+    connect(&panels.answer, &ReviewDock::placePointedAt, &panel_, &ViewPanel::highlightPlace);
+    connect(&panels.answer, &ReviewDock::zoomRequested, &places, &PlaceActions::zoomTo);
     connect(&review_, &ReviewSession::failed, &panel_.messages(), &MessageBar::showError);
     connect(&windows_, &GlazingSession::failed, &panel_.messages(), &MessageBar::showError);
     connect(&review_, &ReviewSession::noted, &panel_.messages(), &MessageBar::showNote);

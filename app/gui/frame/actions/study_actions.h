@@ -62,16 +62,21 @@ private:
 class EditPreview;
 class PlaceActions;
 class ReviewDock;
+class ReviewForm;
 class ReviewSession;
 class GlazingSession;
 
-/// Shows the review dock, and lets the verdicts follow the building that is being
-/// shaped.
+/// Shows the panels of a review, and lets the verdicts follow the building that is being shaped.
 class ReviewActions final : public QObject {
     Q_OBJECT
 public:
+    struct Panels {
+        ReviewForm& question;
+        ReviewDock& answer;
+    };
+
     /// All must outlive this object.
-    ReviewActions(ReviewSession& review, GlazingSession& windows, ReviewDock& dock, EditPreview& preview,
+    ReviewActions(ReviewSession& review, GlazingSession& windows, const Panels& panels, EditPreview& preview,
                   PlaceActions& places, ViewPanel& panel);
 
     [[nodiscard]] QList<QAction*> actions() const { return {show_, export_}; }

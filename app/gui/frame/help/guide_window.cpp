@@ -38,6 +38,7 @@ constexpr PlaceOfPart places[] = {
     {"weightsDock", "results", "A score"},
     {"warningsDock", "data", ""},
     {"reviewDock", "window", "Review by a rule"},
+    {"reviewFormDock", "window", "Review by a rule"},
     {"pointDock", "window", "Sun and time"},
     {"timeStrip", "window", "Sun and time"},
     {"buildingDock", "window", "Changing buildings"},
