@@ -43,6 +43,19 @@ std::vector<RasterBand> bandsOf(const ImpactStudy& study) {
     return bands;
 }
 
+std::vector<RasterBand> bandsOf(const Score& score) {
+    std::vector<RasterBand> bands{{"shadow score", "", &score.score}};
+    for (const ShadedScore& with : score.withTrees)
+        if (!with.score.empty())
+            bands.push_back({fmt::format("shadow score, {}", describeTrees(with.column)), "", &with.score});
+    return bands;
+}
+
+const std::vector<float>& scoreOfColumn(const Score& score, TreeColumns column) {
+    const auto with = std::ranges::find(score.withTrees, column, &ShadedScore::column);
+    return with == score.withTrees.end() || with->score.empty() ? score.score : with->score;
+}
+
 /// The files that comparison and score have in common, with their file name stem.
 struct AnswerTexts {
     std::string name;
@@ -121,8 +134,8 @@ Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, con
     return writeFiles({"score", extendRepeat(scoreJson(answer), listLegendOptions(legend, true)),
                        scoreCsv(answer), regionFileOf(answer.settings.region, answer.provenance, frame),
                        makeProvenanceTags(answer.provenance)},
-                      makeSheet(answer, source, legend), score.grid, frame,
-                      {{"shadow score", "", &score.score}}, score.score, folder, rules, book, width);
+                      makeSheet(answer, source, legend), score.grid, frame, bandsOf(score),
+                      scoreOfColumn(score, legend.trees), folder, rules, book, width);
 }
 
 std::vector<std::string> impactFileNames(const Provenance& provenance, bool withSheets) {
