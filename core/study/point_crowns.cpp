@@ -178,8 +178,8 @@ double sumMinutes(const std::vector<float>& shares, double stepMinutes) {
 }  // namespace
 
 std::optional<PointCrowns> lookAtCrowns(const City& city, const SkyPoint& point, const Skyline& skyline,
-                                        double northDeg, const PointSteps& year, const PointSteps& day,
-                                        const Zone& zone) {
+                                        const SkyFactors& sky, double northDeg, const PointSteps& year,
+                                        const PointSteps& day, const Zone& zone) {
     if (!city.trees || city.trees->trees.empty()) return std::nullopt;
     const City weighed = withTreesFor(city, TreeColumns::all);
     const auto eye = glm::dvec3(placeSurfaceRayOrigin(point.position, point.normal));
@@ -203,6 +203,14 @@ std::optional<PointCrowns> lookAtCrowns(const City& city, const SkyPoint& point,
     all.inLeaf = isInLeaf(all.leafDays, date);
     all.evergreen = sumSunlight(ofYear.evergreen, year.sun, zone);
     all.seasonal = sumSunlight(ofYear.seasonal, year.sun, zone);
+    const SkyCrowns crowns(city);
+    const auto left = [&](TreeColumns column) {
+        const SkyFactors taken = crowns.taken(point, skyline, column);
+        return SkyFactors{std::max(0.0, sky.skyView - taken.skyView),
+                          std::max(0.0, sky.skyComponentPct - taken.skyComponentPct)};
+    };
+    all.skyEvergreen = left(TreeColumns::evergreen);
+    all.skySeasonal = left(TreeColumns::seasonal);
     all.dayEvergreenMin = sumMinutes(ofDay.evergreen, day.sun.stepMinutes);
     all.daySeasonalMin = sumMinutes(ofDay.seasonal, day.sun.stepMinutes);
     return all;

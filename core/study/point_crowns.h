@@ -8,6 +8,7 @@
 #include "core/city/city.h"
 #include "core/city/trees/tree.h"
 #include "core/engines/points/point_sunlight.h"
+#include "core/engines/points/sky_factors.h"
 #include "core/engines/points/skyline.h"
 
 namespace noonmark {
@@ -40,6 +41,8 @@ struct PointCrowns {
     std::size_t weighed = 0;      ///< trees whose crown can stand before the sun on some day of the year
     MonthHours evergreen{}, seasonal{};              ///< sunlit minutes of the year, as PointView::minutes
     double dayEvergreenMin = 0, daySeasonalMin = 0;  ///< sunlit minutes of the question's day
+    /// The sky that crowns leave of PointView::factors, in the mean of the days of a year.
+    SkyFactors skyEvergreen, skySeasonal;
 };
 
 /// The steps of one time, and at which of them the point is shaded without trees.
@@ -48,11 +51,11 @@ struct PointSteps {
     const ShadedSteps& shaded;
 };
 
-/// None where no crown is seen or weighed. `northDeg`: true north, clockwise from the frame's +y. `year`:
-/// from sunrise to sunset; `day`: those of the question's day. O(trees), and some 20 us for each crown that
-/// is seen; 10 ns for each crown near the azimuth of each half degree of the sun's paths.
+/// None where no crown is seen or weighed. `sky`: of the skyline. `northDeg`: true north, clockwise from the
+/// frame's +y. `year`: from sunrise to sunset; `day`: those of the question's day. O(trees), and some 20 us
+/// for each crown that is seen; 10 ns for each crown near the azimuth of each half degree of the sun's paths.
 std::optional<PointCrowns> lookAtCrowns(const City& city, const SkyPoint& point, const Skyline& skyline,
-                                        double northDeg, const PointSteps& year, const PointSteps& day,
-                                        const Zone& zone);
+                                        const SkyFactors& sky, double northDeg, const PointSteps& year,
+                                        const PointSteps& day, const Zone& zone);
 
 }  // namespace noonmark
