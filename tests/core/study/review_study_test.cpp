@@ -27,7 +27,7 @@ struct Quiet final : Progress {
 };
 
 City cityAt(LonLat origin, const std::vector<Box3>& boxes) {
-    City city = tests::cityOfTrees(boxes);
+    City city = tests::cityOf(boxes);
     city.frame = Frame(origin);
     return city;
 }
