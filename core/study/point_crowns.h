@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "core/engines/points/point_sunlight.h"
 #include "core/engines/points/sky_factors.h"
 #include "core/engines/points/skyline.h"
+#include "core/engines/ray/tree_rays.h"
 
 namespace noonmark {
 
@@ -43,7 +45,17 @@ struct PointCrowns {
     double dayEvergreenMin = 0, daySeasonalMin = 0;  ///< sunlit minutes of the question's day
     /// The sky that crowns leave of PointView::factors, in the mean of the days of a year.
     SkyFactors skyEvergreen, skySeasonal;
+    std::shared_ptr<const Trees> trees;  ///< the city's, to which indices refer
+    TakenByTree takenDay, takenYear;     ///< of the sun that buildings leave, minutes
 };
+
+/// What one tree takes of a point's sun, minutes of the question's day and of the year.
+struct TreeMinutes {
+    std::uint32_t tree = 0;  ///< index in City::trees
+    double dayEvergreen = 0, daySeasonal = 0, yearEvergreen = 0, yearSeasonal = 0;
+};
+/// Those that take most in the year, by their seasons, first.
+std::vector<TreeMinutes> listTakenByTree(const PointCrowns& crowns);
 
 /// The steps of one time, and at which of them the point is shaded without trees.
 struct PointSteps {

@@ -112,6 +112,8 @@ void print(const PointStudy& study, const City& city, const City* scenario, cons
         table.add(name + "hidden by", shadedText(view, of, zone));
         if (view.crowns) {
             table.add(name + "sun with trees", treesText(*view.crowns));
+            if (const std::string taken = takenText(*view.crowns); !taken.empty())
+                table.add(name + "taken by trees", taken);
             table.add(name + "sky with trees",
                       treesSkyText(*view.crowns, study.question.facingDeg.has_value()));
         }

@@ -146,15 +146,26 @@ std::vector<std::string> scoreFileNames(const Provenance& provenance, bool withS
     return namesOf("score", needsRegionFile(provenance), withSheets);
 }
 
+namespace {
+
+bool areTreesAmong(const std::vector<ContributionTable>& ofPlaces) {
+    return std::ranges::any_of(ofPlaces, [](const ContributionTable& of) { return !of.trees.empty(); });
+}
+
+}  // namespace
+
 std::vector<std::string> placeContributionNames(const std::vector<ContributionTable>& ofPlaces) {
     if (ofPlaces.empty()) return {};
-    return {contributionTableFile, contributionLayerFile};
+    std::vector<std::string> names{contributionTableFile, contributionLayerFile};
+    if (areTreesAmong(ofPlaces)) names.emplace_back(placeTreesFile);
+    return names;
 }
 
 void addPlaceContributions(OutputFolder& files, const std::vector<ContributionTable>& ofPlaces,
                            const City& city, const Provenance& provenance) {
     if (ofPlaces.empty()) return;
     files.add(contributionTableFile, textContent(contributionsCsv(ofPlaces, provenance)));
+    if (areTreesAmong(ofPlaces)) files.add(placeTreesFile, textContent(placeTreesCsv(ofPlaces, provenance)));
     files.add(contributionLayerFile, [layer = makeContributionLayer(ofPlaces, city),
                                       frame = city.frame](const Path& file) {
         return writePolygonsGeoPackage(file, frame, {"contributions", "What buildings take from places"},
@@ -162,15 +173,17 @@ void addPlaceContributions(OutputFolder& files, const std::vector<ContributionTa
     });
 }
 
-std::vector<std::string> contributionFileNames() {
-    return {"contributions.csv", "contributions.gpkg", "by_month.csv"};
+std::vector<std::string> contributionFileNames(const PlaceContributions& of) {
+    std::vector<std::string> names{"contributions.csv", "contributions.gpkg", "by_month.csv"};
+    if (!of.trees.empty()) names.emplace_back(treeContributionsFile);
+    return names;
 }
 
 Result<std::vector<std::filesystem::path>> writeContributionFiles(const Study& study,
                                                                   const PlaceContributions& of,
                                                                   const std::filesystem::path& folder,
                                                                   const OutputRules& rules) {
-    if (auto may = checkOutputs(folder, contributionFileNames(), rules); !may)
+    if (auto may = checkOutputs(folder, contributionFileNames(of), rules); !may)
         return tl::make_unexpected(may.error());
     OutputFolder files(folder, rules);
     files.add("contributions.csv",
@@ -182,6 +195,9 @@ Result<std::vector<std::filesystem::path>> writeContributionFiles(const Study& s
             .map([](const Warnings&) {});
     });
     files.add("by_month.csv", textContent(monthsCsv(monthsOf(of.breakdown), study.provenance)));
+    if (!of.trees.empty())
+        files.add(treeContributionsFile,
+                  textContent(treeContributionsCsv(of.trees, study.city, study.provenance)));
     return std::move(files).result();
 }
 

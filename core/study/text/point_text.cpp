@@ -182,8 +182,21 @@ PointJson crownsJson(const PointCrowns& crowns, const City& city) {
             {"crowns", list}};
 }
 
+PointJson takenJson(const PointCrowns& crowns) {
+    PointJson list = PointJson::array();
+    for (const TreeMinutes& one : listTakenByTree(crowns))
+        list.push_back({{"tree", crowns.trees->trees[one.tree].sourceId},
+                        {"species", crowns.trees->trees[one.tree].species},
+                        {"day_min_evergreen", roundAsText(one.dayEvergreen, 2)},
+                        {"day_min_seasonal", roundAsText(one.daySeasonal, 2)},
+                        {"year_min_evergreen", roundAsText(one.yearEvergreen, 1)},
+                        {"year_min_seasonal", roundAsText(one.yearSeasonal, 1)}});
+    return list;
+}
+
 void addCrowns(PointJson& json, const PointCrowns& crowns, const City& city, bool wall) {
     json["trees"] = crownsJson(crowns, city);
+    json["taken_by_tree"] = takenJson(crowns);
     json["sunlit_min_evergreen"] = roundAsText(crowns.dayEvergreenMin, 2);
     json["sunlit_min_seasonal"] = roundAsText(crowns.daySeasonalMin, 2);
     json["minutes_by_month_evergreen"] = listRounded(sumMonths(crowns.evergreen));
@@ -301,6 +314,21 @@ std::string treesText(const PointCrowns& crowns) {
         "{:.0f} min on the day and {:.0f} h in the year with their seasons, {:.0f} min and {:.0f} h "
         "as evergreens",
         crowns.daySeasonalMin, hours(crowns.seasonal), crowns.dayEvergreenMin, hours(crowns.evergreen));
+}
+
+std::string takenText(const PointCrowns& crowns) {
+    constexpr std::size_t maximum = 3;
+    const std::vector<TreeMinutes> trees = listTakenByTree(crowns);
+    std::string text;
+    for (std::size_t i = 0; i < std::min(maximum, trees.size()); ++i) {
+        const Tree& tree = crowns.trees->trees[trees[i].tree];
+        text += fmt::format(
+            "{}{} {:.0f} min on the day, {:.1f} h in the year", i > 0 ? "; " : "",
+            tree.species.empty() ? tree.sourceId : fmt::format("{} ({})", tree.species, tree.sourceId),
+            trees[i].daySeasonal, trees[i].yearSeasonal / 60);
+    }
+    if (trees.size() > maximum) text += fmt::format("; {} more", trees.size() - maximum);
+    return text;
 }
 
 std::string treesSkyText(const PointCrowns& crowns, bool wall) {

@@ -227,7 +227,11 @@ QString figuresOf(const PointView& view, const PointStudy& study, const Zone& zo
                        .arg(groupDigits(lit / 60, 0))
                        .arg(groupDigits(study.possibleMin / 60, 0))
                        .arg(groupDigits(view.factors.skyView, 3));
-    if (view.crowns) text += PointDock::tr("\nWith trees: %1").arg(treesOf(*view.crowns));
+    if (view.crowns) {
+        text += PointDock::tr("\nWith trees: %1").arg(treesOf(*view.crowns));
+        if (const std::string taken = takenText(*view.crowns); !taken.empty())
+            text += PointDock::tr("\nTaken by trees: %1").arg(localiseNumbers(QString::fromStdString(taken)));
+    }
     if (study.question.facingDeg)
         text +=
             PointDock::tr("\nVertical sky component: %1 %").arg(groupDigits(view.factors.skyComponentPct, 1));
