@@ -100,20 +100,22 @@ public:
                                                                    const std::filesystem::path& folder,
                                                                    const AnswerFiles& how) const override {
         const SunByPlace& sun = content().baseline;
-        const PlaceColours colours{how.legend, how.thresholdHours};
+        const SunShown shown = showColumn(shared(), {how.legend, how.thresholdHours});
+        const PlaceColours& colours = shown.colours;
         const ElementTable table = makeTable(sun, content().compared);
         OutputFolder files(folder, how.rules);
         files.add("places.csv", textContent(toCsv(table)));
         files.add("places.gpkg", [&](const std::filesystem::path& file) {
-            return writePlacesGeoPackage(file, sun.city.frame, sun.places, table, makeStyle(sun, colours));
+            return writePlacesGeoPackage(file, sun.city.frame, sun.places, table,
+                                         makeStyle(shown.sun->baseline, colours));
         });
         files.add("places.json", textContent(extendRepeat(json(), listColourOptions(colours))));
-        addPlaceMaps(files, shared(), shownCity(content()).city,
+        addPlaceMaps(files, shared(), shown, shownCity(content()).city,
                      {colours, how.pictureWidth, sun.settings.study.receivers.cellM,
                       makeProvenanceTags(sun.provenance)});
         addPlaceContributions(files, ofPlaces_, shownCity(content()).city, sun.provenance);
         if (how.sheets) {
-            const auto pdf = printBook(makeSunByPlaceBook(content(), bookOf(how), colours));
+            const auto pdf = printBook(makeSunByPlaceBook(content(), bookOf(how), colours, shown.sun.get()));
             if (!pdf) return tl::make_unexpected(pdf.error());
             files.add("sheets.pdf", textContent(pdf->toStdString()));
         }
@@ -121,8 +123,9 @@ public:
     }
     [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>&,
                                                              const AnswerFiles& how) const override {
-        return bundleBook(makeSunByPlaceBook(content(), bookOf(how), {how.legend, how.thresholdHours}),
-                          shared());
+        const SunShown shown = showColumn(shared(), {how.legend, how.thresholdHours});
+        return bundleBook(makeSunByPlaceBook(content(), bookOf(how), shown.colours, shown.sun.get()),
+                          shared(), shown.sun);
     }
 
 private:
@@ -164,9 +167,10 @@ std::shared_ptr<const Book> bookOfSavedPlaces(const SavedContent& saved, const S
     sun.baseline.city = source.city;
     for (ComparedSun& one : sun.compared) one.sun.city = source.city;
     const auto shared = std::make_shared<const SunOfCities>(std::move(sun));
+    const SunShown shown = showColumn(shared, {how.legend, how.thresholdHours});
     return bundleBook(makeSavedBook(*saved.result, saved.answer.origin, source, *shared, bookOf(how),
-                                    {how.legend, how.thresholdHours}),
-                      shared);
+                                    shown.colours, shown.sun.get()),
+                      shared, shown.sun);
 }
 
 SavedForm savedPlaces() {

@@ -153,7 +153,12 @@ public:
     }
 
     [[nodiscard]] AnswerPage page(const LegendChoice& shown) const override {
-        return makePage(content().score, content().scenario, shown.show);
+        const auto score = inColumn(std::shared_ptr<const Score>(shared(), &content().score), shown.trees);
+        AnswerPage page = makePage(*score, content().scenario, shown.show);
+        if (!content().score.withTrees.empty())
+            page.findings.push_back(
+                nameColumn(score.get() == &content().score ? TreeColumns::without : shown.trees));
+        return page;
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {

@@ -178,6 +178,10 @@ public:
     }
     [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>&,
                                                              const AnswerFiles& how) const override {
+        if (auto map = inColumn(content().map, how.legend.trees)) {
+            const auto shown = std::make_shared<const ElementMap>(*std::move(map));
+            return bundleBook(makeElementBook(content().study, *shown, bookOf(how)), shared(), shown);
+        }
         return bundleBook(makeElementBook(content().study, content().map, bookOf(how)), shared());
     }
 

@@ -12,12 +12,22 @@ namespace noonmark {
 
 namespace {
 
+PointCaseShade shadeOf(TreeColumns column, double dayMin, const MonthHours& year, const SkyFactors& sky) {
+    PointCaseShade shade{column, dayMin, 0, sky.skyView, sky.skyComponentPct};
+    for (const double minutes : sumMonths(year)) shade.yearMin += minutes;
+    return shade;
+}
+
 PointCaseFigures figuresOf(const std::string& name, const PointStudy& study) {
     PointCaseFigures figures{.name = name,
                              .skyView = study.baseline.factors.skyView,
                              .skyComponentPct = study.baseline.factors.skyComponentPct};
     for (const SunBand& band : study.baseline.sunlit) figures.dayMin += band.minutes();
     for (const double minutes : sumMonths(study.baseline.minutes)) figures.yearMin += minutes;
+    if (const auto& crowns = study.baseline.crowns)
+        figures.withTrees = {
+            shadeOf(TreeColumns::evergreen, crowns->dayEvergreenMin, crowns->evergreen, crowns->skyEvergreen),
+            shadeOf(TreeColumns::seasonal, crowns->daySeasonalMin, crowns->seasonal, crowns->skySeasonal)};
     return figures;
 }
 

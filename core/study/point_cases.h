@@ -16,13 +16,20 @@ struct PointCase {
     std::shared_ptr<const City> city;  ///< not null
 };
 
+/// The same with trees.
+struct PointCaseShade {
+    TreeColumns column = TreeColumns::seasonal;  ///< or evergreen
+    double dayMin = 0, yearMin = 0, skyView = 0, skyComponentPct = 0;
+};
+
 /// The sun and sky of the point in one city.
 struct PointCaseFigures {
     std::string name;
-    std::string why;                 ///< the point cannot be measured there; empty: it can
-    double dayMin = 0, yearMin = 0;  ///< sunlit minutes of the question's day and year
-    double skyView = 0;              ///< 0 to 1
-    double skyComponentPct = 0;      ///< of a wall
+    std::string why;                          ///< the point cannot be measured there; empty: it can
+    double dayMin = 0, yearMin = 0;           ///< sunlit minutes of the question's day and year
+    double skyView = 0;                       ///< 0 to 1
+    double skyComponentPct = 0;               ///< of a wall
+    std::vector<PointCaseShade> withTrees{};  ///< evergreens first; empty: no tree is seen
 };
 
 /// Measures the point in each city, in their order. It must be in the same place as in the first one, else

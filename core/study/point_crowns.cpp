@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -155,9 +156,7 @@ struct LitShares {
     std::vector<float> evergreen, seasonal;
 };
 
-LitShares weighCrowns(const City& city, const std::vector<std::uint32_t>& trees, glm::dvec3 eye,
-                      const PointSteps& steps) {
-    const CrownScene scene = makeCrownScene(city, trees, steps.sun);
+LitShares weighCrowns(const CrownScene& scene, glm::dvec3 eye, const PointSteps& steps) {
     const SunPatches patches(steps.sun);
     CrownsOverPoint over(scene.crowns, patches, scene.phases);
     const bool any = over.begin(eye);
@@ -178,12 +177,12 @@ double sumMinutes(const std::vector<float>& shares, double stepMinutes) {
 }  // namespace
 
 std::optional<PointCrowns> lookAtCrowns(const City& city, const SkyPoint& point, const Skyline& skyline,
-                                        double northDeg, const PointSteps& year, const PointSteps& day,
-                                        const Zone& zone) {
+                                        const SkyFactors& sky, double northDeg, const PointSteps& year,
+                                        const PointSteps& day, const Zone& zone) {
     if (!city.trees || city.trees->trees.empty()) return std::nullopt;
     const City weighed = withTreesFor(city, TreeColumns::all);
     const auto eye = glm::dvec3(placeSurfaceRayOrigin(point.position, point.normal));
-    PointCrowns all{.seen = {}, .leafDays = city.trees->leafDays};
+    PointCrowns all{.seen = {}, .leafDays = city.trees->leafDays, .trees = city.trees};
     const CivilDate date = day.sun.days.front().date;
     for (std::uint32_t i = 0; i < city.trees->trees.size(); ++i) {
         const Tree& tree = city.trees->trees[i];
@@ -198,14 +197,43 @@ std::optional<PointCrowns> lookAtCrowns(const City& city, const SkyPoint& point,
     const auto trees = findTreesInReach(weighed, box, point.position.z, year.sun);
     all.weighed = trees.size();
     if (all.seen.empty() && trees.empty()) return std::nullopt;
-    const LitShares ofYear = weighCrowns(city, trees, eye, year);
-    const LitShares ofDay = weighCrowns(city, trees, eye, day);
+    const CrownScene inYear = makeCrownScene(city, trees, year.sun);
+    const CrownScene onDay = makeCrownScene(city, trees, day.sun);
+    const LitShares ofYear = weighCrowns(inYear, eye, year), ofDay = weighCrowns(onDay, eye, day);
+    all.takenYear = takeFromPoint(inYear, glm::vec3(eye), year.sun, year.shaded);
+    all.takenDay = takeFromPoint(onDay, glm::vec3(eye), day.sun, day.shaded);
     all.inLeaf = isInLeaf(all.leafDays, date);
     all.evergreen = sumSunlight(ofYear.evergreen, year.sun, zone);
     all.seasonal = sumSunlight(ofYear.seasonal, year.sun, zone);
+    const SkyCrowns crowns(city);
+    const auto left = [&](TreeColumns column) {
+        const SkyFactors taken = crowns.taken(point, skyline, column);
+        return SkyFactors{std::max(0.0, sky.skyView - taken.skyView),
+                          std::max(0.0, sky.skyComponentPct - taken.skyComponentPct)};
+    };
+    all.skyEvergreen = left(TreeColumns::evergreen);
+    all.skySeasonal = left(TreeColumns::seasonal);
     all.dayEvergreenMin = sumMinutes(ofDay.evergreen, day.sun.stepMinutes);
     all.daySeasonalMin = sumMinutes(ofDay.seasonal, day.sun.stepMinutes);
     return all;
+}
+
+std::vector<TreeMinutes> listTakenByTree(const PointCrowns& crowns) {
+    std::map<std::uint32_t, TreeMinutes> byTree;
+    const auto add = [&](const std::vector<TreeTaken>& taken, double TreeMinutes::*minutes) {
+        for (const TreeTaken& one : taken) byTree[one.tree].*minutes = one.attributedMinM2;
+    };
+    add(crowns.takenDay.evergreen, &TreeMinutes::dayEvergreen);
+    add(crowns.takenDay.seasonal, &TreeMinutes::daySeasonal);
+    add(crowns.takenYear.evergreen, &TreeMinutes::yearEvergreen);
+    add(crowns.takenYear.seasonal, &TreeMinutes::yearSeasonal);
+    std::vector<TreeMinutes> trees;
+    for (auto& [tree, minutes] : byTree) {
+        minutes.tree = tree;
+        trees.push_back(minutes);
+    }
+    std::ranges::stable_sort(trees, std::ranges::greater{}, &TreeMinutes::yearSeasonal);
+    return trees;
 }
 
 }  // namespace noonmark

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,7 +9,9 @@
 #include "core/city/city.h"
 #include "core/city/trees/tree.h"
 #include "core/engines/points/point_sunlight.h"
+#include "core/engines/points/sky_factors.h"
 #include "core/engines/points/skyline.h"
+#include "core/engines/ray/tree_rays.h"
 
 namespace noonmark {
 
@@ -40,7 +43,19 @@ struct PointCrowns {
     std::size_t weighed = 0;      ///< trees whose crown can stand before the sun on some day of the year
     MonthHours evergreen{}, seasonal{};              ///< sunlit minutes of the year, as PointView::minutes
     double dayEvergreenMin = 0, daySeasonalMin = 0;  ///< sunlit minutes of the question's day
+    /// The sky that crowns leave of PointView::factors, in the mean of the days of a year.
+    SkyFactors skyEvergreen, skySeasonal;
+    std::shared_ptr<const Trees> trees;  ///< the city's, to which indices refer
+    TakenByTree takenDay, takenYear;     ///< of the sun that buildings leave, minutes
 };
+
+/// What one tree takes of a point's sun, minutes of the question's day and of the year.
+struct TreeMinutes {
+    std::uint32_t tree = 0;  ///< index in City::trees
+    double dayEvergreen = 0, daySeasonal = 0, yearEvergreen = 0, yearSeasonal = 0;
+};
+/// Those that take most in the year, by their seasons, first.
+std::vector<TreeMinutes> listTakenByTree(const PointCrowns& crowns);
 
 /// The steps of one time, and at which of them the point is shaded without trees.
 struct PointSteps {
@@ -48,11 +63,11 @@ struct PointSteps {
     const ShadedSteps& shaded;
 };
 
-/// None where no crown is seen or weighed. `northDeg`: true north, clockwise from the frame's +y. `year`:
-/// from sunrise to sunset; `day`: those of the question's day. O(trees), and some 20 us for each crown that
-/// is seen; 10 ns for each crown near the azimuth of each half degree of the sun's paths.
+/// None where no crown is seen or weighed. `sky`: of the skyline. `northDeg`: true north, clockwise from the
+/// frame's +y. `year`: from sunrise to sunset; `day`: those of the question's day. O(trees), and some 20 us
+/// for each crown that is seen; 10 ns for each crown near the azimuth of each half degree of the sun's paths.
 std::optional<PointCrowns> lookAtCrowns(const City& city, const SkyPoint& point, const Skyline& skyline,
-                                        double northDeg, const PointSteps& year, const PointSteps& day,
-                                        const Zone& zone);
+                                        const SkyFactors& sky, double northDeg, const PointSteps& year,
+                                        const PointSteps& day, const Zone& zone);
 
 }  // namespace noonmark

@@ -161,7 +161,7 @@ PointView viewOf(const City& city, const SkyPoint& point, const PointStudy& stud
     view.shadedTimes = findShadedTimes(skyline, day, view.sunlit);
     view.minutes = sumSunlight(view.shaded, study.sun, zone);
     view.year = countShadow(view.shaded, study.sun);
-    view.crowns = lookAtCrowns(city, point, skyline, northDeg, {study.sun, view.shaded},
+    view.crowns = lookAtCrowns(city, point, skyline, view.factors, northDeg, {study.sun, view.shaded},
                                {day.steps, findShadedSteps(skyline, day.steps)}, zone);
     return view;
 }

@@ -324,4 +324,17 @@ Result<Score> runScore(const City& city, const StudySettings& settings, const Ti
         [&] { return placeAndScore(city, settings, weights, progress, stop, engines); });
 }
 
+std::shared_ptr<const Score> inColumn(const std::shared_ptr<const Score>& score, TreeColumns column) {
+    const auto with = std::ranges::find(score->withTrees, column, &ShadedScore::column);
+    if (with == score->withTrees.end() || with->score.empty()) return score;
+    auto made = std::make_shared<Score>(*score);
+    static_cast<ScoreTotals&>(*made) = *with;
+    made->score = with->score;
+    made->months = with->months;
+    made->intervals = with->intervals;
+    made->withTrees.clear();
+    made->errors.clear();
+    return made;
+}
+
 }  // namespace noonmark

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -76,6 +77,10 @@ struct Score : ScoreTotals {
     std::string treesHow;  ///< how they were measured, as text
     Warnings warnings;
 };
+
+/// The score of one column in place of that without trees, and no columns besides; itself where it has no map
+/// of that column. Its errors are those without trees and left out.
+std::shared_ptr<const Score> inColumn(const std::shared_ptr<const Score>& score, TreeColumns column);
 
 /// Computes the score over given steps. `zone`: time zone of their wall clock. The horizon sweep and
 /// projected shadows process the city once for all months and intervals, at the cost of one field. Any other

@@ -8,6 +8,7 @@
 #include "core/base/safe_text.h"
 #include "core/base/units.h"
 #include "core/measures/shadow_figures.h"
+#include "core/study/contributions/contributions.h"
 #include "core/study/text/error_text.h"
 #include "core/study/text/height_facts_text.h"
 #include "core/study/text/terrain_text.h"
@@ -86,6 +87,23 @@ struct PrintedTrees {
     std::vector<std::pair<TreeColumns, ShadowStatistics>> columns{};
 };
 
+// Those that are charged with most: "Tower A 31.2 %, tree Tilia cordata (node/12) 4.0 %; 212 more".
+std::string shadersText(const Study& study) {
+    constexpr std::size_t maximum = 5;
+    const std::vector<TreeContribution> trees = listTreeContributions(study);
+    const TreeColumns column = chooseRankedColumn(trees, TreeColumns::seasonal);
+    const std::vector<Contribution> rows =
+        rankWithTrees(listContributions(study.city, *study.breakdown, study.sun.dayCount()), trees, column);
+    if (rows.empty()) return "nothing";
+    std::string text;
+    for (std::size_t i = 0; i < std::min(maximum, rows.size()); ++i)
+        text += fmt::format("{}{}{} {:.1f} %", i > 0 ? ", " : "", rows[i].isTree ? "tree " : "",
+                            nameOf(rows[i]), 100 * rows[i].share);
+    if (rows.size() > maximum) text += fmt::format("; {} more", rows.size() - maximum);
+    if (!trees.empty()) text += fmt::format(" ({})", describeTrees(column));
+    return text;
+}
+
 void print(const Study& study, const PrintedTrees& trees, const std::vector<std::filesystem::path>& files,
            std::ostream& out) {
     Table table;
@@ -108,6 +126,7 @@ void print(const Study& study, const PrintedTrees& trees, const std::vector<std:
                                     {statistics.receiverAreaM2, study.field.sunlitMinutesPerDay,
                                      isInstant(study.field)}));
     if (study.city.trees) table.add("trees", describeTrees(*study.city.trees, trees.used));
+    if (study.breakdown && study.settings.contributions) table.add("shaded by", shadersText(study));
     if (study.city.terrain) table.add("terrain", formatText(*study.city.terrain));
     for (const ErrorLine& line : makeErrorLines(study)) table.add(line.name, line.value);
     if (study.monthError) addErrors(table, std::span(&*study.monthError, 1));

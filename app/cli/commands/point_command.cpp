@@ -18,6 +18,7 @@
 #include "app/report/skyline/skyline_svg.h"
 #include "core/describe/command_options.h"
 #include "core/io/files/write_text.h"
+#include "core/measures/shadow_figures.h"
 #include "core/study/point_cases.h"
 #include "core/study/text/error_text.h"
 #include "core/study/text/point_text.h"
@@ -109,7 +110,13 @@ void print(const PointStudy& study, const City& city, const City* scenario, cons
     const auto addView = [&](const std::string& name, const PointView& view, const City& of) {
         table.add(name + "sunlit", sunlitText(view, zone));
         table.add(name + "hidden by", shadedText(view, of, zone));
-        if (view.crowns) table.add(name + "sun with trees", treesText(*view.crowns));
+        if (view.crowns) {
+            table.add(name + "sun with trees", treesText(*view.crowns));
+            if (const std::string taken = takenText(*view.crowns); !taken.empty())
+                table.add(name + "taken by trees", taken);
+            table.add(name + "sky with trees",
+                      treesSkyText(*view.crowns, study.question.facingDeg.has_value()));
+        }
         table.add(name + "sky view factor", fmt::format("{:.3f}", view.factors.skyView));
         if (study.question.facingDeg)
             table.add(name + "vertical sky component", fmt::format("{:.1f} %", view.factors.skyComponentPct));
@@ -132,12 +139,23 @@ std::string caseText(const PointCaseFigures& figures, const PointCaseFigures& fi
     return text;
 }
 
+void addCase(Table& table, const PointCaseFigures& figures, const PointCaseFigures& first, bool wall) {
+    table.add(figures.name, caseText(figures, first, wall));
+    for (const PointCaseShade& with : figures.withTrees) {
+        std::string text = fmt::format("{:.0f} min on the day, {:.1f} h in the year, sky view {:.3f}",
+                                       with.dayMin, with.yearMin / 60, with.skyView);
+        if (wall) text += fmt::format(", VSC {:.1f} %", with.skyComponentPct);
+        table.add(fmt::format("  {}", describeTrees(with.column)), text);
+    }
+}
+
 void printCases(const std::vector<PointCaseFigures>& cases, bool wall, std::ostream& out) {
     if (cases.empty()) return;
     Table table;
-    for (const PointCaseFigures& figures : cases)
-        table.add(figures.name, caseText(figures, cases.front(), wall));
-    out << "\nScenarios\n";
+    for (const PointCaseFigures& figures : cases) addCase(table, figures, cases.front(), wall);
+    const bool anyTrees =
+        std::ranges::any_of(cases, [](const PointCaseFigures& one) { return !one.withTrees.empty(); });
+    out << (anyTrees ? "\nScenarios, without trees unless a line says so\n" : "\nScenarios\n");
     table.print(out);
 }
 

@@ -117,8 +117,8 @@ QStringList Workbench::filesOf(const ExportChoice& choice) {
     std::vector<std::string> names;
     if (choice.subject == ExportChoice::Subject::scenarios)
         names = scenarioFileNames();
-    else if (choice.subject == ExportChoice::Subject::place)
-        names = contributionFileNames();
+    else if (const auto place = placeShown(); place && choice.subject == ExportChoice::Subject::place)
+        names = contributionFileNames(*place);
     else if (choice.subject == ExportChoice::Subject::table)
         names = {tableFileName};
     else if (choice.subject == ExportChoice::Subject::view)

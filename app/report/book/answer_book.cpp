@@ -296,6 +296,16 @@ std::vector<BookPage> intervalPages(const Score& score, const std::string& weigh
                           {{plainText(weights), {}, std::move(table)}});
 }
 
+// Which column a page states, where there are several.
+BookPage nameColumn(BookPage page, const Score& score, const LegendChoice& legend) {
+    if (score.withTrees.empty()) return page;
+    const bool isThere =
+        std::ranges::find(score.withTrees, legend.trees, &ShadedScore::column) != score.withTrees.end();
+    const auto words = describeTrees(isThere ? legend.trees : TreeColumns::without);
+    page.subtitle = plainText(std::string(words)) + QStringLiteral(".");
+    return page;
+}
+
 // With the maps of the sheet.
 Book beginAnswerBook(const BookSettings& settings, const Sheet& sheet, const std::string& attribution) {
     Book book = beginBook(settings, plainText(sheet.headline.what), attribution);
@@ -339,8 +349,12 @@ Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const 
                    const LegendChoice& legend) {
     const Sheet sheet = makeSheet(answer, source, legend);
     Book book = beginAnswerBook(settings, sheet, answer.provenance.attribution);
-    if (!answer.score.months.empty()) book.pages.push_back(monthPage(answer.score, settings, legend.show));
-    appendPages(book, intervalPages(answer.score, answer.weights.name, settings, legend.show));
+    const auto shown =
+        inColumn(std::shared_ptr<const Score>(std::shared_ptr<void>(), &answer.score), legend.trees);
+    if (!shown->months.empty())
+        book.pages.push_back(nameColumn(monthPage(*shown, settings, legend.show), answer.score, legend));
+    for (BookPage& page : intervalPages(*shown, answer.weights.name, settings, legend.show))
+        book.pages.push_back(nameColumn(std::move(page), answer.score, legend));
     addHeightMap(book, source.city, answer.settings.region, settings);
     addText(book, sheet, withoutCommand(sheet),
             repeatBlocks(makeRepeatCommand(answer, bookCharacters), needsRegionFile(answer.provenance),

@@ -67,11 +67,13 @@ Book makeContributionBook(const Study& study, const BookSettings& settings);
 /// Sheets of sun by place: the finding in a sentence, error and method; a map of the places coloured by hours
 /// of sun; a table of the places, those with the largest loss first or, without scenarios, those with least
 /// sun. Tables list so many rows at most; the heading names the file with the others.
+/// `mapped`: the same in the column that maps show (showColumn()); null: `sun`. Both must outlive the book.
 Book makeSunByPlaceBook(const SunOfCities& sun, const BookSettings& settings,
-                        const PlaceColours& colours = {});
+                        const PlaceColours& colours = {}, const SunOfCities* mapped = nullptr);
 /// The same of a saved result, whose cities must be set.
 Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
-                   const SunOfCities& sun, const BookSettings& settings, const PlaceColours& colours);
+                   const SunOfCities& sun, const BookSettings& settings, const PlaceColours& colours,
+                   const SunOfCities* mapped = nullptr);
 /// Its map alone, with legend, scale bar and north: of the smallest box that holds the places. `city`: the
 /// buildings around them.
 QImage paintPlacesMap(const SunByPlace& sun, const City& city, const PlaceColours& colours, int widthPx);

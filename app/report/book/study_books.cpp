@@ -327,6 +327,39 @@ std::vector<BookPage> makeShareTablePages(const Study& study, const Contribution
                           {{QStringLiteral("By building"), note, makeTable(all, settings)}});
 }
 
+// Those that take most, with their seasons unless the legend shows trees as evergreens.
+std::vector<BookPage> makeTreePages(const Study& study, const BookSettings& settings) {
+    constexpr std::size_t maxTrees = 60;
+    const std::vector<TreeContribution> trees = listTreeContributions(study);
+    if (trees.empty()) return {};
+    const bool asEvergreens = settings.legend.trees == TreeColumns::evergreen;
+    const TreeColumns column =
+        chooseRankedColumn(trees, asEvergreens ? TreeColumns::evergreen : TreeColumns::seasonal);
+    PageTable table{{QStringLiteral("Tree"), QStringLiteral("Share of all shadow"),
+                     QStringLiteral("Attributed"), QStringLiteral("Sole")},
+                    {},
+                    {},
+                    {},
+                    rowPt * textScale(settings.setup)};
+    const auto hours = [&](double minM2) {
+        return QString::fromStdString(formatAreaHours(minM2 / minutesPerHour, settings.units));
+    };
+    for (const TreeContribution& tree : trees)
+        for (const auto& [of, one] : tree.columns)
+            if (of == column && table.rows.size() < maxTrees)
+                table.rows.push_back({plainText(noonmark::nameOf(one)),
+                                      describeAmount(100 * one.share, 2) + QStringLiteral(" %"),
+                                      hours(one.attributedMinM2), hours(one.soleMinM2)});
+    const QString title = QStringLiteral("Contributions of trees"),
+                  note = QStringLiteral(
+                             "What trees take of the sun that buildings leave, %1. The first %2 of "
+                             "%3; tree_contributions.csv lists each.")
+                             .arg(plainText(std::string(describeTrees(column))),
+                                  describeCount(table.rows.size()), describeCount(trees.size()));
+    return makeTablePages(settings.setup, {title, {}, title, 0, {}},
+                          {{QStringLiteral("By tree"), note, std::move(table)}});
+}
+
 }  // namespace
 
 Book makeContributionBook(const Study& study, const BookSettings& settings) {
@@ -336,6 +369,7 @@ Book makeContributionBook(const Study& study, const BookSettings& settings) {
     book.pages.push_back(makeNumberedMapPage(study, all, settings));
     book.pages.push_back(makeBarPage(all, settings));
     std::ranges::move(makeShareTablePages(study, all, settings), std::back_inserter(book.pages));
+    std::ranges::move(makeTreePages(study, settings), std::back_inserter(book.pages));
     if (settings.heightMap)
         book.pages.push_back(makeHeightMapPage(study.city, bounds(study.settings.region), settings.setup));
     return book;

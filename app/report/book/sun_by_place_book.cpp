@@ -102,6 +102,7 @@ Legend legendOf(const SunByPlace& sun, const PlaceColours& colours) {
                   unit + QStringLiteral(" a day")};
     if (!sun.name.empty()) legend.title += QStringLiteral(": ") + plainText(sun.name);
     if (colours.date) legend.unit = QStringLiteral("%1 on %2").arg(unit, nameOfDate(sun, *colours.date));
+    if (colours.column) nameTrees(legend, *colours.column);
     legend.colours = makeScale(sun, colours);
     legend.scale = {legend.colours->high, legend.colours->tick};
     return legend;
@@ -120,11 +121,12 @@ PlaceMap makeMap(const SunByPlace& sun, const PlaceColours& colours) {
     return map;
 }
 
-PlaceMap makeChangeMap(const ComparedSun& compared, const LegendChoice& choice) {
+PlaceMap makeChangeMap(const ComparedSun& compared, const PlaceColours& colours) {
     PlaceMap map{{QStringLiteral("Change of sun by place: ") + plainText(compared.sun.name),
                   QStringLiteral("minutes of sun a day")},
                  {}};
-    map.legend.colours = makePlaceChangeScale(choice);
+    if (colours.column) nameTrees(map.legend, *colours.column);
+    map.legend.colours = makePlaceChangeScale(colours.legend);
     map.legend.scale = {map.legend.colours->high, map.legend.colours->tick};
     for (const SunChange& change : compared.changes) map.values.push_back(minutesPerHour * change.meanHours);
     return map;
@@ -303,8 +305,8 @@ BookPage mapPage(const OrderedPlaces& of, const PlaceColours& colours, const Pag
 }
 
 BookPage changePage(const ComparedSun& compared, const std::vector<std::size_t>& order,
-                    const std::string& baseline, const LegendChoice& choice, const PageSetup& setup) {
-    return pageOf({compared.sun, order}, makeChangeMap(compared, choice),
+                    const std::string& baseline, const PlaceColours& colours, const PageSetup& setup) {
+    return pageOf({compared.sun, order}, makeChangeMap(compared, colours),
                   titleWith(QStringLiteral("Change of sun by place"), compared.sun),
                   describePeriod(compared.sun.settings.study.period),
                   QStringLiteral("change of mean sun a day against %1, minutes").arg(plainText(baseline)),
@@ -491,18 +493,18 @@ std::vector<BookPage> makePlaceTables(const SunOfCities& all, const BookSettings
     return pages;
 }
 
-// Maps, and what the tables list.
-void addPlaces(Book& book, const SunOfCities& all, const BookSettings& settings,
+// Maps of what is shown, and what the tables list of all columns.
+void addPlaces(Book& book, const SunOfCities& all, const SunOfCities& mapped, const BookSettings& settings,
                const PlaceColours& colours) {
-    const SunByPlace &sun = sunOf(all), &shown = shownCity(all);
+    const SunByPlace &sun = sunOf(mapped), &shown = shownCity(mapped);
     const std::vector<std::size_t> order = sortByInterest(all);
     const OrderedPlaces places{shown, order};
     const auto limited = [&](std::size_t count) {
         return settings.allPages ? count : std::min(maxMapsOfKind, count);
     };
     book.pages.push_back(mapPage(places, colours, settings.setup));
-    for (const ComparedSun& one : std::span(all.compared).first(limited(all.compared.size())))
-        book.pages.push_back(changePage(one, order, sun.name, colours.legend, settings.setup));
+    for (const ComparedSun& one : std::span(mapped.compared).first(limited(mapped.compared.size())))
+        book.pages.push_back(changePage(one, order, sun.name, colours, settings.setup));
     PlaceColours ofDate = colours;
     for (std::size_t date = 0; date < limited(sun.settings.dates.size()); ++date) {
         ofDate.date = date;
@@ -521,7 +523,8 @@ void addSummary(Book& book, const TextBlocks& blocks) {
 
 }  // namespace
 
-Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, const PlaceColours& colours) {
+Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, const PlaceColours& colours,
+                        const SunOfCities* mapped) {
     const SunByPlace& sun = sunOf(all);
     Book book = beginBook(settings, QStringLiteral("Sun by place"), sun.provenance.attribution);
     book.record = {QStringLiteral("places.json"),
@@ -532,19 +535,20 @@ Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, co
     for (const TextBlocks& more : {describeMethod(all), repeat, describeSources(sun)})
         blocks.insert(blocks.end(), more.begin(), more.end());
     addSummary(book, blocks);
-    addPlaces(book, all, settings, colours);
+    addPlaces(book, all, mapped ? *mapped : all, settings, colours);
     return book;
 }
 
 Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
-                   const SunOfCities& sun, const BookSettings& settings, const PlaceColours& colours) {
+                   const SunOfCities& sun, const BookSettings& settings, const PlaceColours& colours,
+                   const SunOfCities* mapped) {
     Book book = beginBook(settings, QStringLiteral("Sun by place"), attributionOf(result));
     book.record = {QStringLiteral("result.json"), result.settings};
     TextBlocks blocks = describeFinding(sun, settings.units, colours.legend.show);
     for (const TextBlocks& section : makeSavedSections(result, origin, source))
         blocks.insert(blocks.end(), section.begin(), section.end());
     addSummary(book, blocks);
-    addPlaces(book, sun, settings, colours);
+    addPlaces(book, sun, mapped ? *mapped : sun, settings, colours);
     return book;
 }
 

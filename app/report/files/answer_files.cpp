@@ -43,6 +43,19 @@ std::vector<RasterBand> bandsOf(const ImpactStudy& study) {
     return bands;
 }
 
+std::vector<RasterBand> bandsOf(const Score& score) {
+    std::vector<RasterBand> bands{{"shadow score", "", &score.score}};
+    for (const ShadedScore& with : score.withTrees)
+        if (!with.score.empty())
+            bands.push_back({fmt::format("shadow score, {}", describeTrees(with.column)), "", &with.score});
+    return bands;
+}
+
+const std::vector<float>& scoreOfColumn(const Score& score, TreeColumns column) {
+    const auto with = std::ranges::find(score.withTrees, column, &ShadedScore::column);
+    return with == score.withTrees.end() || with->score.empty() ? score.score : with->score;
+}
+
 /// The files that comparison and score have in common, with their file name stem.
 struct AnswerTexts {
     std::string name;
@@ -121,8 +134,8 @@ Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, con
     return writeFiles({"score", extendRepeat(scoreJson(answer), listLegendOptions(legend, true)),
                        scoreCsv(answer), regionFileOf(answer.settings.region, answer.provenance, frame),
                        makeProvenanceTags(answer.provenance)},
-                      makeSheet(answer, source, legend), score.grid, frame,
-                      {{"shadow score", "", &score.score}}, score.score, folder, rules, book, width);
+                      makeSheet(answer, source, legend), score.grid, frame, bandsOf(score),
+                      scoreOfColumn(score, legend.trees), folder, rules, book, width);
 }
 
 std::vector<std::string> impactFileNames(const Provenance& provenance, bool withSheets) {
@@ -133,15 +146,26 @@ std::vector<std::string> scoreFileNames(const Provenance& provenance, bool withS
     return namesOf("score", needsRegionFile(provenance), withSheets);
 }
 
+namespace {
+
+bool areTreesAmong(const std::vector<ContributionTable>& ofPlaces) {
+    return std::ranges::any_of(ofPlaces, [](const ContributionTable& of) { return !of.trees.empty(); });
+}
+
+}  // namespace
+
 std::vector<std::string> placeContributionNames(const std::vector<ContributionTable>& ofPlaces) {
     if (ofPlaces.empty()) return {};
-    return {contributionTableFile, contributionLayerFile};
+    std::vector<std::string> names{contributionTableFile, contributionLayerFile};
+    if (areTreesAmong(ofPlaces)) names.emplace_back(placeTreesFile);
+    return names;
 }
 
 void addPlaceContributions(OutputFolder& files, const std::vector<ContributionTable>& ofPlaces,
                            const City& city, const Provenance& provenance) {
     if (ofPlaces.empty()) return;
     files.add(contributionTableFile, textContent(contributionsCsv(ofPlaces, provenance)));
+    if (areTreesAmong(ofPlaces)) files.add(placeTreesFile, textContent(placeTreesCsv(ofPlaces, provenance)));
     files.add(contributionLayerFile, [layer = makeContributionLayer(ofPlaces, city),
                                       frame = city.frame](const Path& file) {
         return writePolygonsGeoPackage(file, frame, {"contributions", "What buildings take from places"},
@@ -149,15 +173,17 @@ void addPlaceContributions(OutputFolder& files, const std::vector<ContributionTa
     });
 }
 
-std::vector<std::string> contributionFileNames() {
-    return {"contributions.csv", "contributions.gpkg", "by_month.csv"};
+std::vector<std::string> contributionFileNames(const PlaceContributions& of) {
+    std::vector<std::string> names{"contributions.csv", "contributions.gpkg", "by_month.csv"};
+    if (!of.trees.empty()) names.emplace_back(treeContributionsFile);
+    return names;
 }
 
 Result<std::vector<std::filesystem::path>> writeContributionFiles(const Study& study,
                                                                   const PlaceContributions& of,
                                                                   const std::filesystem::path& folder,
                                                                   const OutputRules& rules) {
-    if (auto may = checkOutputs(folder, contributionFileNames(), rules); !may)
+    if (auto may = checkOutputs(folder, contributionFileNames(of), rules); !may)
         return tl::make_unexpected(may.error());
     OutputFolder files(folder, rules);
     files.add("contributions.csv",
@@ -169,6 +195,9 @@ Result<std::vector<std::filesystem::path>> writeContributionFiles(const Study& s
             .map([](const Warnings&) {});
     });
     files.add("by_month.csv", textContent(monthsCsv(monthsOf(of.breakdown), study.provenance)));
+    if (!of.trees.empty())
+        files.add(treeContributionsFile,
+                  textContent(treeContributionsCsv(of.trees, study.city, study.provenance)));
     return std::move(files).result();
 }
 

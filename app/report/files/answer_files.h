@@ -48,7 +48,7 @@ std::vector<std::string> impactFileNames(const Provenance& provenance, bool with
 std::vector<std::string> scoreFileNames(const Provenance& provenance, bool withSheets = false);
 
 /// contributions.csv and contributions.gpkg of a place, as those of a study, and by_month.csv.
-std::vector<std::string> contributionFileNames();
+std::vector<std::string> contributionFileNames(const PlaceContributions& of);
 
 /// Writes them, all or none, as what `study` holds of the place. Returns the paths written.
 Result<std::vector<std::filesystem::path>> writeContributionFiles(const Study& study,

@@ -26,6 +26,12 @@ bool needsRegionFile(const ElementStudy& study) {
 
 }  // namespace
 
+LayerStyle styleColumn(const ElementMap& map, const LegendChoice& legend) {
+    const auto shown = inColumn(map, legend.trees);
+    return makeStyle(coloursOf(makeLegend(shown ? *shown : map, ShadowMeasure::gross, legend)),
+                     shown ? suffixOf(legend.trees) : std::string());
+}
+
 std::vector<std::string> elementFileNames(ElementPlaces places) {
     std::vector<std::string> names{"elements.csv", "elements.gpkg", "elements.glb", "study.json"};
     if (hasElevations(places)) names.emplace_back("elements.pdf");
@@ -43,10 +49,11 @@ Result<std::vector<std::filesystem::path>> writeElementFiles(const ElementStudy&
     if (cityJson) names.emplace_back(cityJsonName);
     if (auto may = checkOutputs(folder, names, rules); !may) return tl::make_unexpected(may.error());
     const ElementTable table = makeElementTable(map, study.city, sourceValues(study.provenance));
-    const LayerStyle style = makeStyle(coloursOf(makeLegend(map, ShadowMeasure::gross, settings.legend)));
+    const auto shown = inColumn(map, settings.legend.trees);
+    const LayerStyle style = styleColumn(map, settings.legend);
     QByteArray pdf;
     if (hasElevations(study.elements.places)) {
-        auto printed = printBook(makeElementBook(study, map, settings));
+        auto printed = printBook(makeElementBook(study, shown ? *shown : map, settings));
         if (!printed) return tl::make_unexpected(printed.error());
         pdf = *std::move(printed);
     }

@@ -7,9 +7,12 @@
 #include "app/report/book/book.h"
 #include "app/report/book/review/glazing_book.h"
 #include "core/io/files/check_output.h"
-#include "core/study/elements/element_study.h"
+#include "core/study/elements/element_map.h"
 
 namespace noonmark {
+
+/// How the layer of points is drawn: by the column that the legend shows, where it was measured.
+LayerStyle styleColumn(const ElementMap& map, const LegendChoice& legend);
 
 /// The names of the files of writeElementFiles(), except region.geojson.
 std::vector<std::string> elementFileNames(ElementPlaces places);

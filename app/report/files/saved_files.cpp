@@ -8,6 +8,7 @@
 #include "app/report/book/answer_books.h"
 #include "app/report/book/print_book.h"
 #include "app/report/files/answer_files.h"
+#include "app/report/files/element_files.h"
 #include "app/report/maps/answer_legends.h"
 #include "app/report/maps/write_png.h"
 #include "core/describe/text.h"
@@ -70,12 +71,25 @@ std::vector<PlaceBand> listBands(const SunOfCities& all) {
     return bands;
 }
 
-// Counted from 1.
+// Those of the column that the answer states, then those with trees.
+std::vector<PlaceBand> listAllBands(const SunOfCities& all) {
+    std::vector<PlaceBand> bands = listBands(all);
+    for (const SunWithTrees& with : all.baseline.withTrees)
+        for (PlaceBand& band : listBands(inColumn(all, with.column).value())) {
+            band.name += fmt::format(", {}", describeTrees(with.column));
+            bands.push_back(std::move(band));
+        }
+    return bands;
+}
+
+// Counted from 1. `all`: of all columns.
 std::size_t bandOf(const SunOfCities& all, const PlaceColours& colours) {
     PlaceColours map{.legend = {.show = ShownAs::sun}, .date = colours.date};
     if (chooseShown(shownCity(all), colours).isShadow) map.legend.show = ShownAs::shadow;
-    const std::string name = makeBand(all, map).name;
-    const std::vector<PlaceBand> bands = listBands(all);
+    std::string name = makeBand(all, map).name;
+    if (colours.column.value_or(TreeColumns::without) != TreeColumns::without)
+        name += fmt::format(", {}", describeTrees(*colours.column));
+    const std::vector<PlaceBand> bands = listAllBands(all);
     return std::size_t(std::ranges::find(bands, name, &PlaceBand::name) - bands.begin()) + 1;
 }
 
@@ -93,7 +107,7 @@ Result<void> writePlaceRaster(const SunOfCities& sun, const City& city, const Pl
                               const std::filesystem::path& file) {
     const std::vector<Place>& places = sun.baseline.places;
     const Grid grid = gridOf(places, look.cellM);
-    const std::vector<PlaceBand> bands = listBands(sun);
+    const std::vector<PlaceBand> bands = listAllBands(sun);
     std::vector<Values> values(bands.size(),
                                Values(std::size_t(grid.columns) * std::size_t(grid.rows), std::nanf("")));
     for (const std::size_t place : listLargestFirst(places))
@@ -107,8 +121,8 @@ Result<void> writePlaceRaster(const SunOfCities& sun, const City& city, const Pl
 }
 
 // The values of the band are those of the legend.
-std::string styleOfBand(const SunOfCities& all, const PlaceColours& colours) {
-    ColourScale scale = makeScale(shownCity(all), colours);
+std::string styleOfBand(const SunOfCities& all, const SunOfCities& shown, const PlaceColours& colours) {
+    ColourScale scale = makeScale(shownCity(shown), colours);
     if (scale.quantity.isSun()) scale.of = ColourScale::Of::wanted;
     scale.quantity = {};
     scale.paintsZero = true;
@@ -120,12 +134,12 @@ std::string placeMapName(const std::optional<CivilDate>& date) {
 }
 
 // The picture of the places and the style of their band.
-void addPlaceMap(OutputFolder& files, const std::shared_ptr<const SunOfCities>& sun, const City& city,
-                 const PlaceMapStyle& look) {
+void addPlaceMap(OutputFolder& files, const SunOfCities& all, const std::shared_ptr<const SunOfCities>& sun,
+                 const City& city, const PlaceMapStyle& look) {
     const std::vector<CivilDate>& dates = shownCity(*sun).settings.dates;
     const std::string name =
         placeMapName(look.colours.date ? std::optional(dates[*look.colours.date]) : std::nullopt);
-    files.add(name + ".qml", textContent(styleOfBand(*sun, look.colours)));
+    files.add(name + ".qml", textContent(styleOfBand(all, *sun, look.colours)));
     files.add(name + ".png", [sun, city, look](QIODevice& device) {
         return writePng(paintPlacesMap(shownCity(*sun), city, look.colours, look.widthPx), look.tags, device);
     });
@@ -140,17 +154,18 @@ std::vector<std::string> placeMapNames(std::span<const CivilDate> dates) {
     return names;
 }
 
-void addPlaceMaps(OutputFolder& files, std::shared_ptr<const SunOfCities> sun, const City& city,
-                  const PlaceMapStyle& look) {
+void addPlaceMaps(OutputFolder& files, std::shared_ptr<const SunOfCities> sun, const SunShown& shown,
+                  const City& city, const PlaceMapStyle& look) {
     files.add("sun_by_place.tif", [sun, city, look](const std::filesystem::path& file) {
         return writePlaceRaster(*sun, city, look, file);
     });
     PlaceMapStyle of = look;
+    of.colours = shown.colours;
     of.colours.date.reset();
-    addPlaceMap(files, sun, city, of);
+    addPlaceMap(files, *sun, shown.sun, city, of);
     for (std::size_t date = 0; date < shownCity(*sun).settings.dates.size(); ++date) {
         of.colours.date = date;
-        addPlaceMap(files, sun, city, of);
+        addPlaceMap(files, *sun, shown.sun, city, of);
     }
 }
 
@@ -234,7 +249,7 @@ WrittenFiles writeSavedMaps(const SavedResult& result, const SavedOrigin& origin
 WrittenFiles writeSavedPoints(const SavedResult& result, const SavedElements& points, const City& city,
                               const std::filesystem::path& folder, const SavedStyle& look) {
     const ElementTable table = makeElementTable(points.map, city, points.source);
-    const LayerStyle style = makeStyle(coloursOf(makeLegend(points.map, ShadowMeasure::gross, look.legend)));
+    const LayerStyle style = styleColumn(points.map, look.legend);
     OutputFolder files(folder, look.rules);
     files.add("elements.csv", textContent(toCsv(table)));
     files.add("elements.gpkg",
@@ -251,12 +266,14 @@ WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun,
     const ElementTable table = makeTable(sun.baseline, sun.compared);
     OutputFolder files(folder, look.rules);
     files.add("places.csv", textContent(toCsv(table)));
+    const auto all = std::make_shared<const SunOfCities>(sun);
+    const SunShown shown = showColumn(all, {look.legend, {}});
     files.add("places.gpkg", [&](const std::filesystem::path& file) {
         return writePlacesGeoPackage(file, city.frame, sun.baseline.places, table,
-                                     makeStyle(sun.baseline, {look.legend, {}}));
+                                     makeStyle(shown.sun->baseline, shown.colours));
     });
-    addPlaceMaps(files, std::make_shared<const SunOfCities>(sun), city,
-                 {.colours = {look.legend, {}},
+    addPlaceMaps(files, all, shown, city,
+                 {.colours = shown.colours,
                   .cellM = result.grid.cellM > 0 ? result.grid.cellM : PlaceMapStyle().cellM,
                   .tags = {{"RESULT", result.name}, {"SCENARIO", result.scenario}}});
     addPlaceContributions(files, ofPlaces, city, {});

@@ -35,8 +35,9 @@ std::vector<std::string> placeMapNames(std::span<const CivilDate> dates);
 /// date, where a baseline is compared the change in minutes, then minutes of shadow likewise. Pictures and
 /// styles show sun or shadow as the legend does. Of the last of the cities. `look`: its
 /// date is not read. Needs a QGuiApplication.
-void addPlaceMaps(OutputFolder& files, std::shared_ptr<const SunOfCities> sun, const City& city,
-                  const PlaceMapStyle& look);
+/// The raster has bands of all columns of trees, those of `sun` first; pictures and styles are of `shown`.
+void addPlaceMaps(OutputFolder& files, std::shared_ptr<const SunOfCities> sun, const SunShown& shown,
+                  const City& city, const PlaceMapStyle& look);
 
 // The files of saved results. What is written is as it was saved: all files or none. Each function returns
 // the paths that it wrote. Error: a file cannot be written. They need a QGuiApplication (the `offscreen`

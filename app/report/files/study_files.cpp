@@ -32,7 +32,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr const char* treeContributionsFile = "tree_contributions.csv";
 constexpr std::size_t chunkBytes = 1U << 20U;
 
 bool flush(CsvText& csv, QIODevice& device) {

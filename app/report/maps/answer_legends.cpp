@@ -23,7 +23,10 @@ Legend makeLegend(const ElementMap& map, ShadowMeasure measure, const LegendChoi
         minutes.push_back(float(minutesOf(element, measure)));
         top = std::max(top, minutesOf(element, measure));
     }
-    return makeLegend(measure, choice, map.possibleMin, top, minutes);
+    Legend legend = makeLegend(measure, choice, map.possibleMin, top, minutes);
+    const bool areSeveral = !map.elements.empty() && !map.elements.front().withTrees.empty();
+    if (map.column || areSeveral) nameTrees(legend, map.column.value_or(TreeColumns::without));
+    return legend;
 }
 
 Legend makeSunLegend(const ElementMap& map, const LegendChoice& choice) {

@@ -233,13 +233,16 @@ std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource&
 
 SheetMap makeScoreMap(const Score& score, const City& city, const Region& region,
                       const LegendChoice& choice) {
-    const Legend legend = makeLegend(score, choice);
-    return {{city, region, score.grid,
-             [&score, colours = coloursOf(legend)](int wantedPixels) {
+    const std::shared_ptr<const Score> all(std::shared_ptr<void>(), &score);
+    const std::shared_ptr<const Score> shown = inColumn(all, choice.trees);
+    Legend legend = makeLegend(*shown, choice);
+    if (!score.withTrees.empty()) nameTrees(legend, shown == all ? TreeColumns::without : choice.trees);
+    return {{city, region, shown->grid,
+             [shown, colours = coloursOf(legend)](int wantedPixels) {
                  const auto colour = [&](std::size_t cell) {
-                     return pickColour(colours, double(score.score[cell]));
+                     return pickColour(colours, double(shown->score[cell]));
                  };
-                 return makeColourImage(score.grid, colour, wantedPixels);
+                 return makeColourImage(shown->grid, colour, wantedPixels);
              }},
             legend};
 }

@@ -165,8 +165,11 @@ private:
         if (study_.scenario)
             factors += fmt::format("; in the scenario {:.3f}", study_.scenario->factors.skyView);
         addText(600, y + 84, factors);
-        if (const auto& crowns = shownView().crowns)
+        if (const auto& crowns = shownView().crowns) {
             addText(600, y + 104, "Sun with trees: " + treesText(*crowns));
+            addText(600, y + 124,
+                    "Sky with trees: " + treesSkyText(*crowns, study_.question.facingDeg.has_value()));
+        }
     }
 
     void addCarpet() {

@@ -211,13 +211,15 @@ double visibleShare(const std::vector<HiddenAltitudes>& hidden, int i) {
     return std::max(0.0, visible);
 }
 
-// What a surface receives from the half degrees around a direction under an overcast sky (CIE), in units of
-// the zenith's brightness.
-double computeLight(const SkyColumn& column, glm::dvec3 normal, int i) {
+// What a surface receives from the half degrees around a direction: under a sky of equal brightness, and
+// under an overcast sky (CIE) in units of the zenith's brightness.
+SkyIntegral computeLight(const SkyColumn& column, glm::dvec3 normal, int i) {
     const double altitude = (i + 0.5) * altitudeStep, sine = std::sin(altitude), cosine = std::cos(altitude);
     const double towards = normal.x * column.sine + normal.y * column.cosine;
     const double facing = normal.z * sine + towards * cosine;
-    return facing <= 0 ? 0 : (1 + 2 * sine) / 3 * facing * cosine * columnWidth * altitudeStep;
+    if (facing <= 0) return {};
+    return {facing * cosine * columnWidth * altitudeStep,
+            (1 + 2 * sine) / 3 * facing * cosine * columnWidth * altitudeStep};
 }
 
 }  // namespace
@@ -240,23 +242,28 @@ SkyCrowns::SkyCrowns(const City& city) {
     shareInLeaf_ = phases_.empty() ? double(inLeaf) / double(days.size()) : 0;
 }
 
-double SkyCrowns::takenPct(const SkyPoint& point, const Skyline& skyline) const {
-    double sum = 0;
-    for (std::size_t phase = 0; phase < shares_.size(); ++phase)
-        sum += shares_[phase] * takenPct(point, skyline, phase);
+SkyFactors SkyCrowns::taken(const SkyPoint& point, const Skyline& skyline, TreeColumns column) const {
+    if (column == TreeColumns::evergreen) return takenIn(point, skyline, 0, 1);
+    SkyFactors sum;
+    for (std::size_t phase = 0; phase < shares_.size(); ++phase) {
+        const SkyFactors one = takenIn(point, skyline, phase, shareInLeaf_);
+        sum.skyView += shares_[phase] * one.skyView;
+        sum.skyComponentPct += shares_[phase] * one.skyComponentPct;
+    }
     return sum;
 }
 
-double SkyCrowns::takenPct(const SkyPoint& point, const Skyline& skyline, std::size_t phase) const {
+SkyFactors SkyCrowns::takenIn(const SkyPoint& point, const Skyline& skyline, std::size_t phase,
+                              double shareInLeaf) const {
     const glm::dvec3 origin(placeSurfaceRayOrigin(point.position, point.normal));
     std::vector<std::uint32_t> all(crowns_.size());
     std::iota(all.begin(), all.end(), 0U);
     CrownsAround around;
-    if (!around.gather(crowns_, all, origin, lowestCrownTan)) return 0;
+    if (!around.gather(crowns_, all, origin, lowestCrownTan)) return {};
     const auto taken = [&](const SkyDepth& depth) {
-        return -shareInLeaf_ * std::expm1(-depth.inLeaf) - (1 - shareInLeaf_) * std::expm1(-depth.bare);
+        return -shareInLeaf * std::expm1(-depth.inLeaf) - (1 - shareInLeaf) * std::expm1(-depth.bare);
     };
-    double sum = 0;
+    SkyIntegral sum;
     for (int i = 0; i < skyAzimuths; ++i) {
         const double azimuth = (i + 0.5) * columnWidth;
         SkyColumn column{std::sin(azimuth), std::cos(azimuth)};
@@ -266,11 +273,11 @@ double SkyCrowns::takenPct(const SkyPoint& point, const Skyline& skyline, std::s
             column.add(crowns_[crown], phases_.perM(phase, crowns_[crown]), origin);
         const auto hidden = skyline.hiddenAt(azimuth);
         for (int k = column.first; k < column.end; ++k)
-            sum += computeLight(column, glm::dvec3(point.normal), k) * visibleShare(hidden, k) *
-                   taken(column.depths[std::size_t(k)]);
+            sum.add(computeLight(column, glm::dvec3(point.normal), k),
+                    visibleShare(hidden, k) * taken(column.depths[std::size_t(k)]));
     }
     const double openOvercast = 7 * std::numbers::pi / 9;  // of a level surface
-    return 100 * sum / openOvercast;
+    return {sum.even / std::numbers::pi, 100 * sum.overcast / openOvercast};
 }
 
 }  // namespace noonmark

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/city/city.h"
+#include "core/engines/api/tree_shade.h"
 #include "core/engines/points/skyline.h"
 #include "core/engines/trees/crowns.h"
 
@@ -35,10 +36,16 @@ public:
     /// in the part that nothing solid hides. By half degrees of azimuth and altitude: crowns of 10 deg to
     /// 0.02 % of the sky. Some ns for each crown of the city, and 20 ns for each crown and direction through
     /// it.
-    [[nodiscard]] double takenPct(const SkyPoint& point, const Skyline& skyline) const;
+    [[nodiscard]] double takenPct(const SkyPoint& point, const Skyline& skyline) const {
+        return taken(point, skyline, TreeColumns::seasonal).skyComponentPct;
+    }
+    /// The same of both factors. Evergreen: every tree in leaf all year.
+    [[nodiscard]] SkyFactors taken(const SkyPoint& point, const Skyline& skyline, TreeColumns column) const;
 
 private:
-    [[nodiscard]] double takenPct(const SkyPoint& point, const Skyline& skyline, std::size_t phase) const;
+    /// Of the days of one phase; of those in leaf as much as `shareInLeaf`.
+    [[nodiscard]] SkyFactors takenIn(const SkyPoint& point, const Skyline& skyline, std::size_t phase,
+                                     double shareInLeaf) const;
 
     std::vector<Crown> crowns_;
     LeafPhases phases_;           // of the days of a year

@@ -34,7 +34,8 @@ struct CrownTaken {
 /// Measures one receiver after the other. Reuses its memory; for one thread.
 class TakenFromReceiver {
 public:
-    TakenFromReceiver(const RayScene& scene, const CrownScene& crowns, const SunPatches& patches,
+    /// `scene`: null where the steps of the patches leave out what is shaded.
+    TakenFromReceiver(const RayScene* scene, const CrownScene& crowns, const SunPatches& patches,
                       const std::vector<PatchSteps>& steps)
         : scene_(scene), crowns_(crowns), patches_(patches), steps_(steps), all_(crowns.crowns.size()) {
         std::iota(all_.begin(), all_.end(), 0U);
@@ -72,7 +73,7 @@ private:
             inLeaf += onRay_.back().inLeaf;
             bare += onRay_.back().bare;
         }
-        if (onRay_.empty() || scene_.occluded(origin, glm::vec3(patches_.direction(patch)))) return;
+        if (onRay_.empty() || isHidden(origin, patch)) return;
         for (const OnRay& one : onRay_) {
             CrownTaken& sum = sumOf(one.crown);
             const double shareOn = shareOf(one.inLeaf, inLeaf), shareOff = shareOf(one.bare, bare);
@@ -82,6 +83,10 @@ private:
             sum.seasonal += steps.inLeaf * shareOn + steps.bare * shareOff;
             sum.seasonalSole += steps.inLeaf * soleOn + steps.bare * soleOff;
         }
+    }
+
+    [[nodiscard]] bool isHidden(glm::vec3 origin, std::uint32_t patch) const {
+        return scene_ != nullptr && scene_->occluded(origin, glm::vec3(patches_.direction(patch)));
     }
 
     // Of the share of the sun that all crowns take.
@@ -95,7 +100,7 @@ private:
         return sum;
     }
 
-    const RayScene& scene_;
+    const RayScene* scene_;
     const CrownScene& crowns_;
     const SunPatches& patches_;
     const std::vector<PatchSteps>& steps_;
@@ -106,11 +111,12 @@ private:
 };
 
 std::vector<PatchSteps> countPatchSteps(const SunPatches& patches, const CrownScene& crowns,
-                                        const SunSteps& sun) {
+                                        const SunSteps& sun, const std::vector<std::uint8_t>& shaded = {}) {
     std::vector<PatchSteps> all(patches.count());
     for (std::size_t step = 0; step < sun.steps.size(); ++step) {
         PatchSteps& patch = all[patches.ofStep(step)];
         patch.phase = crowns.phases.at(step);
+        if (!shaded.empty() && shaded[step] != 0) continue;
         (crowns.inLeaf[step] != 0 ? patch.inLeaf : patch.bare) += sun.stepMinutes;
     }
     return all;
@@ -175,7 +181,7 @@ Result<TakenByTree> traceTakenByTree(const City& city, const Receivers& receiver
         std::vector<std::vector<CrownTaken>> taken(count);
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 16), [&](const auto& range) {
             const FlushDenormals flush;
-            TakenFromReceiver one(*scene, crowns, patches, steps);
+            TakenFromReceiver one(&*scene, crowns, patches, steps);
             for (std::size_t i = range.begin(); i < range.end() && !stop.stop_requested(); ++i)
                 taken[i] =
                     one.measure(placeRayOrigin(receivers.position(receivers.cells[chosen[first + i]])));
@@ -187,6 +193,16 @@ Result<TakenByTree> traceTakenByTree(const City& city, const Receivers& receiver
     }
     if (stop.stop_requested()) return cancelled();
     return sums.finish(crowns, chosen.size());
+}
+
+TakenByTree takeFromPoint(const CrownScene& crowns, glm::vec3 origin, const SunSteps& sun,
+                          const std::vector<std::uint8_t>& shaded) {
+    if (crowns.empty()) return {};
+    const SunPatches patches(sun.steps, SunPatches::sunDeg, crowns.phases.ofStep);
+    const std::vector<PatchSteps> steps = countPatchSteps(patches, crowns, sun, shaded);
+    TakenSums sums(crowns.crowns.size());
+    sums.add(TakenFromReceiver(nullptr, crowns, patches, steps).measure(origin), 1);
+    return sums.finish(crowns, 1);
 }
 
 }  // namespace noonmark

@@ -327,7 +327,16 @@ struct PlaceColours {
     LegendChoice legend{.show = ShownAs::sun};
     std::optional<double> thresholdHours{};  ///< none: the hours that are enough
     std::optional<std::size_t> date{};       ///< by the hours of this of its dates; none: of the period
+    /// The column that the answer states (inColumn()), which legends name; none: it was measured in one only.
+    std::optional<TreeColumns> column{};
 };
+/// An answer in the column that a legend shows, and the colours that name it: the answer itself where it has
+/// no such column.
+struct SunShown {
+    std::shared_ptr<const SunOfCities> sun;
+    PlaceColours colours;
+};
+SunShown showColumn(const std::shared_ptr<const SunOfCities>& all, PlaceColours colours);
 /// Hours of sun a day of a place, of the period or of a date; NaN: none is known.
 double hoursOf(const SunOfPlace& of, std::optional<std::size_t> date);
 /// What places are coloured by: hours of sun, or minutes of shadow where the legend shows shadow and the

@@ -64,4 +64,11 @@ std::optional<SunOfCities> inColumn(const SunOfCities& sun, TreeColumns column) 
     return made;
 }
 
+SunShown showColumn(const std::shared_ptr<const SunOfCities>& all, PlaceColours colours) {
+    if (all->baseline.withTrees.empty()) return {all, std::move(colours)};
+    auto made = inColumn(*all, colours.legend.trees);
+    colours.column = made ? colours.legend.trees : TreeColumns::without;
+    return {made ? std::make_shared<const SunOfCities>(*std::move(made)) : all, std::move(colours)};
+}
+
 }  // namespace noonmark

@@ -43,6 +43,12 @@ std::string_view unitOf(const ShownSunOrShadow& shown) {
     return shown.isShadow ? "Minutes of shadow a day" : "Hours of sun a day";
 }
 
+// In tables of all columns.
+std::string suffixOf(const PlaceColours& colours) {
+    const TreeColumns column = colours.column.value_or(TreeColumns::without);
+    return column == TreeColumns::without ? std::string() : noonmark::suffixOf(column);
+}
+
 // A place without cells has none.
 LayerStyle makePartStyle(const SunByPlace& sun, const PlaceColours& colours, const SunPart& part) {
     std::vector<double> hours;
@@ -52,7 +58,8 @@ LayerStyle makePartStyle(const SunByPlace& sun, const PlaceColours& colours, con
     const std::string name = part.of == SunPart::Of::season ? sun.seasons[part.index].label : part.key;
     return {
         fmt::format("{}, {}", unitOf(shown), name),
-        graduatedStyle(StyledShape::polygons, shown.isShadow ? shadowColumn(part.key) : hoursColumn(part.key),
+        graduatedStyle(StyledShape::polygons,
+                       (shown.isShadow ? shadowColumn(part.key) : hoursColumn(part.key)) + suffixOf(colours),
                        styleClasses(makeShownScale(hours, sun, colours, shown)))};
 }
 
@@ -93,7 +100,8 @@ LayerStyle makeStyle(const SunByPlace& sun, const PlaceColours& colours) {
     const std::vector<ColourClass> classes = styleClasses(makeScale(sun, colours));
     const ShownSunOrShadow shown = chooseShown(sun, colours);
     return {std::string(unitOf(shown)),
-            graduatedStyle(StyledShape::polygons, shown.isShadow ? shadowColumn("mean") : hoursColumn("mean"),
+            graduatedStyle(StyledShape::polygons,
+                           (shown.isShadow ? shadowColumn("mean") : hoursColumn("mean")) + suffixOf(colours),
                            classes),
             {},
             makePartStyles(sun, colours)};

@@ -123,6 +123,11 @@ const Figures<Contribution>& contributionFigures() {
     return figures;
 }
 
+std::string nameOf(const Contribution& one) {
+    if (one.name.empty()) return one.id;
+    return one.isTree ? fmt::format("{} ({})", one.name, one.id) : one.name;
+}
+
 std::string_view attributedDefinition() {
     return findFigure(contributionFigures().rows(), "attributed_min_m2").definition;
 }
@@ -178,6 +183,7 @@ Contribution contributionOf(const TreeTaken& taken, const Tree& tree, const Cell
         makeContribution({.attributedMinM2 = {taken.attributedMinM2}, .soleMinM2 = {taken.soleMinM2}}, all);
     one.id = tree.sourceId;
     one.name = tree.species;
+    one.isTree = true;
     return one;
 }
 
@@ -187,35 +193,93 @@ CellDays sumUpColumn(const Study& study, const ShadowField& column) {
     return {double(study.receivers.cells.size()) * cellM2 * days, sumOf(column.grossMin) * cellM2 * days};
 }
 
+std::vector<TreeContribution> beginTreeRows(const TakenByTree& taken) {
+    std::vector<TreeContribution> rows;
+    for (const TreeTaken& one : taken.evergreen) rows.push_back({one.tree, {}});
+    return rows;
+}
+
+// Both lists are of the same trees, in one order.
+void addColumn(std::vector<TreeContribution>& rows, TreeColumns column, const TakenByTree& taken,
+               const City& city, const CellDays& all) {
+    const std::vector<TreeTaken>& of = taken.of(column);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i].columns.emplace_back(column, contributionOf(of[i], city.trees->trees[rows[i].tree], all));
+}
+
+void sortTreeRows(std::vector<TreeContribution>& rows) {
+    std::ranges::stable_sort(rows, std::ranges::greater{}, [](const TreeContribution& row) {
+        return row.columns.back().second.attributedMinM2;
+    });
+}
+
+const Contribution* findColumn(const TreeContribution& tree, TreeColumns column) {
+    for (const auto& [of, one] : tree.columns)
+        if (of == column) return &one;
+    return nullptr;
+}
+
 }  // namespace
 
 std::vector<TreeContribution> listTreeContributions(const Study& study) {
-    std::vector<TreeContribution> rows;
-    if (!study.byTree) return rows;
-    for (const TreeTaken& taken : study.byTree->evergreen) rows.push_back({taken.tree, {}});
-    for (const ShadeColumn& shade : listShadeColumns(study.field)) {
-        const CellDays all = sumUpColumn(study, *shade.field);
-        const std::vector<TreeTaken>& taken = study.byTree->of(shade.column);
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            rows[i].columns.emplace_back(
-                shade.column, contributionOf(taken[i], study.city.trees->trees[rows[i].tree], all));
+    if (!study.byTree) return {};
+    std::vector<TreeContribution> rows = beginTreeRows(*study.byTree);
+    for (const ShadeColumn& shade : listShadeColumns(study.field))
+        addColumn(rows, shade.column, *study.byTree, study.city, sumUpColumn(study, *shade.field));
+    sortTreeRows(rows);
+    return rows;
+}
+
+std::vector<TreeContribution> listTreeContributions(const City& city, const TakenByTree& taken,
+                                                    std::span<const TreeColumns> columns,
+                                                    const ShadowBreakdown& breakdown, std::size_t days) {
+    std::vector<TreeContribution> rows = beginTreeRows(taken);
+    for (const TreeColumns column : columns) {
+        CellDays all = sumUpBreakdown(breakdown, days);
+        for (const TreeTaken& one : taken.of(column)) all.allMinM2 += one.attributedMinM2;
+        addColumn(rows, column, taken, city, all);
     }
-    std::ranges::stable_sort(rows, std::ranges::greater{}, [](const TreeContribution& row) {
-        return row.columns.back().second.attributedMinM2;
+    sortTreeRows(rows);
+    return rows;
+}
+
+TreeColumns chooseRankedColumn(const std::vector<TreeContribution>& trees, TreeColumns wanted) {
+    if (trees.empty()) return TreeColumns::without;
+    return findColumn(trees.front(), wanted) != nullptr ? wanted : trees.front().columns.back().first;
+}
+
+std::vector<Contribution> rankWithTrees(std::vector<Contribution> rows,
+                                        const std::vector<TreeContribution>& trees, TreeColumns column) {
+    if (trees.empty()) return rows;
+    for (const TreeContribution& tree : trees)
+        if (const Contribution* const one = findColumn(tree, column);
+            one != nullptr && one->attributedMinM2 > 0)
+            rows.push_back(*one);
+    double all = 0;
+    for (const Contribution& row : rows) all += row.attributedMinM2;
+    for (Contribution& row : rows) row.share = all > 0 ? row.attributedMinM2 / all : 0;
+    std::ranges::stable_sort(rows, [](const Contribution& a, const Contribution& b) {
+        const bool isLast = a.id == terrainId, isOtherLast = b.id == terrainId;
+        return isLast != isOtherLast ? isOtherLast : a.attributedMinM2 > b.attributedMinM2;
     });
     return rows;
 }
 
 std::string treeContributionsCsv(const Study& study) {
+    return treeContributionsCsv(listTreeContributions(study), study.city, study.provenance);
+}
+
+std::string treeContributionsCsv(const std::vector<TreeContribution>& rows, const City& city,
+                                 const Provenance& provenance) {
     std::vector<std::string> columns{"source_id", "species", "lon_deg", "lat_deg"};
-    for (const ShadeColumn& shade : listShadeColumns(study.field))
-        std::ranges::move(listColumns(contributionFiguresWithTrees(shade.column)),
-                          std::back_inserter(columns));
+    if (!rows.empty())
+        for (const auto& [column, one] : rows.front().columns)
+            std::ranges::move(listColumns(contributionFiguresWithTrees(column)), std::back_inserter(columns));
     CsvText csv(withSourceColumns(std::move(columns)));
-    const SourceValues source = sourceValues(study.provenance);
-    for (const TreeContribution& row : listTreeContributions(study)) {
-        const Tree& tree = study.city.trees->trees[row.tree];
-        const LonLat place = study.city.frame.lonLatFromLocal(tree.place);
+    const SourceValues source = sourceValues(provenance);
+    for (const TreeContribution& row : rows) {
+        const Tree& tree = city.trees->trees[row.tree];
+        const LonLat place = city.frame.lonLatFromLocal(tree.place);
         csv.text(tree.sourceId).text(tree.species).number(place.lonDeg, 8).number(place.latDeg, 8);
         for (const auto& [column, one] : row.columns)
             addFigures(csv, {contributionFiguresWithTrees(column), &one});
@@ -278,7 +342,43 @@ std::vector<Contribution> parseRows(const Json& json) {
     return rows;
 }
 
+std::optional<Contribution> parseTree(const Json& json, TreeColumns column) {
+    const std::string suffix = suffixOf(column);
+    Json figures;
+    for (const auto& [key, value] : json.items())
+        if (key.ends_with(suffix)) figures[key.substr(0, key.size() - suffix.size())] = value;
+    if (figures.empty()) return std::nullopt;
+    Contribution one = readFigures(contributionFigures(), figures);
+    one.id = json.at("source_id");
+    one.name = json.at("species");
+    one.isTree = true;
+    return one;
+}
+
 }  // namespace
+
+nlohmann::ordered_json treesJson(const std::vector<TreeContribution>& trees) {
+    Json json = Json::array();
+    for (const TreeContribution& tree : trees) {
+        const Contribution& first = tree.columns.front().second;
+        json.push_back({{"source_id", first.id}, {"species", first.name}});
+        for (const auto& [column, one] : tree.columns)
+            for (const auto& [key, value] : figuresJson(contributionFigures().of(one)).items())
+                json.back()[key + suffixOf(column)] = value;
+    }
+    return json;
+}
+
+std::vector<TreeContribution> parseTrees(const nlohmann::ordered_json& json) {
+    std::vector<TreeContribution> trees;
+    for (const Json& of : json) {
+        TreeContribution tree;
+        for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+            if (auto one = parseTree(of, column)) tree.columns.emplace_back(column, *std::move(one));
+        if (!tree.columns.empty()) trees.push_back(std::move(tree));
+    }
+    return trees;
+}
 
 ContributionTable makeContributionTable(const PlaceContributions& of) {
     return {.place = of.place.name,
@@ -288,7 +388,8 @@ ContributionTable makeContributionTable(const PlaceContributions& of) {
             .cells = of.cells,
             .sunlitMinutesPerDay = of.sunlitMinutesPerDay,
             .months = of.breakdown.sets.names,
-            .rows = of.rows};
+            .rows = of.rows,
+            .trees = of.trees};
 }
 
 std::vector<ContributionTable> withContributions(std::vector<ContributionTable> all, ContributionTable more) {
@@ -303,7 +404,7 @@ std::string withContributions(std::string json, const std::vector<ContributionTa
     if (all.empty()) return json;
     Json answer = Json::parse(json);
     answer[keptKey] = Json::array();
-    for (const ContributionTable& of : all)
+    for (const ContributionTable& of : all) {
         answer[keptKey].push_back({{"place", of.place},
                                    {"kind", of.kind},
                                    {"period", of.period},
@@ -312,6 +413,8 @@ std::string withContributions(std::string json, const std::vector<ContributionTa
                                    {"cells", of.cells},
                                    {"sunlit_min_per_day", of.sunlitMinutesPerDay},
                                    {"buildings", rowsJson(of.rows)}});
+        if (!of.trees.empty()) answer[keptKey].back()["trees"] = treesJson(of.trees);
+    }
     return toJsonText(answer);
 }
 
@@ -325,7 +428,8 @@ std::vector<ContributionTable> parseContributions(const Json& answer) {
                        .cells = of.at("cells"),
                        .sunlitMinutesPerDay = of.at("sunlit_min_per_day"),
                        .months = of.value("months", std::vector<std::string>()),
-                       .rows = parseRows(of.at("buildings"))});
+                       .rows = parseRows(of.at("buildings")),
+                       .trees = parseTrees(of.value("trees", Json::array()))});
     return all;
 }
 
@@ -381,6 +485,24 @@ std::string contributionsCsv(const std::vector<ContributionTable>& all, const Pr
             csv.text(of.place).text(of.kind).text(of.period).text(row.id).text(row.name);
             addRow(csv, row, months.size(), source);
         }
+    return csv.take();
+}
+
+std::string placeTreesCsv(const std::vector<ContributionTable>& all, const Provenance& provenance) {
+    std::vector<std::string> columns{"place", "kind", "period", "trees", "source_id", "species"};
+    std::ranges::move(listColumns(contributionFigures().rows()), std::back_inserter(columns));
+    CsvText csv(withSourceColumns(std::move(columns)));
+    const SourceValues source = sourceValues(provenance);
+    for (const ContributionTable& of : all)
+        for (const TreeContribution& tree : of.trees)
+            for (const auto& [column, one] : tree.columns) {
+                csv.text(of.place).text(of.kind).text(of.period).text(
+                    std::string(keyOf<TreeColumns>(treeColumnChoices, column)));
+                csv.text(one.id).text(one.name);
+                addFigures(csv, contributionFigures().of(one));
+                addSource(csv, source);
+                csv.endRow();
+            }
     return csv.take();
 }
 

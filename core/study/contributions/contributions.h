@@ -16,18 +16,22 @@
 
 namespace noonmark {
 
-/// The shadow of one building, or of the terrain, on the cells of a breakdown.
+/// The shadow of one building, of the terrain, or of a tree, on the cells of a breakdown.
 struct Contribution {
-    std::optional<std::uint32_t> building;      ///< index in City::buildings; none: the terrain
+    std::optional<std::uint32_t> building;      ///< index in City::buildings; none: the terrain, or a tree
     std::string id;                             ///< of the source; terrainId
-    std::string name;                           ///< may be empty
+    std::string name;                           ///< may be empty; of a tree its species
     BuildingShadow shadow;                      ///< by set of steps
     double attributedMinM2 = 0, soleMinM2 = 0;  ///< of the whole period
     double attributedMin = 0, soleMin = 0;      ///< a day, mean over the cells
     double share = 0;                           ///< of all shadow on the cells, 0 to 1
+    bool isTree = false;
 };
 
 inline constexpr const char* terrainId = "terrain";
+
+/// Its name, else its id; of a tree "Tilia cordata (node/12)".
+std::string nameOf(const Contribution& one);
 
 /// Glossary: attributed shadow, sole contribution. These rows hold their definitions.
 const Figures<Contribution>& contributionFigures();
@@ -55,10 +59,26 @@ struct TreeContribution {
 /// One row for each tree that takes some, those that take most by their seasons, else as evergreens, first.
 /// Shares are of all shadow with trees. Empty where the study has none.
 std::vector<TreeContribution> listTreeContributions(const Study& study);
+/// The same of what was traced over other cells of a city, whose breakdown says what buildings take.
+std::vector<TreeContribution> listTreeContributions(const City& city, const TakenByTree& taken,
+                                                    std::span<const TreeColumns> columns,
+                                                    const ShadowBreakdown& breakdown, std::size_t days);
+
+/// Which column a list of buildings and trees states: the one that is wanted where it was measured, else by
+/// seasons, else as evergreens; TreeColumns::without where no tree takes any.
+TreeColumns chooseRankedColumn(const std::vector<TreeContribution>& trees, TreeColumns wanted);
+/// Buildings and trees of a column in one list, those that are charged with most first, the terrain last.
+/// Shares are of what all of them are charged with; what is sole of a building is that without trees.
+std::vector<Contribution> rankWithTrees(std::vector<Contribution> rows,
+                                        const std::vector<TreeContribution>& trees, TreeColumns column);
 /// "share_evergreen", "attributed_min_day_seasonal"
 std::span<const Figure> contributionFiguresWithTrees(TreeColumns column);
 /// Columns: source_id,species,lon_deg,lat_deg and the figures with trees; then the source columns.
 std::string treeContributionsCsv(const Study& study);
+/// Of rows whose trees are of `city`.
+std::string treeContributionsCsv(const std::vector<TreeContribution>& rows, const City& city,
+                                 const Provenance& provenance);
+inline constexpr const char* treeContributionsFile = "tree_contributions.csv";
 
 /// The figures as columns of the layer of buildings; 0 where a building shades nothing.
 std::vector<BuildingColumn> contributionColumns(const std::vector<Contribution>& rows, std::size_t buildings);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/base/memory_guard.h"
 #include "core/measures/places/place_receivers.h"
@@ -70,16 +71,28 @@ Result<std::unique_ptr<Engine>> makeAttributing(StudySettings settings, const En
     return engine;
 }
 
+// Columns that the whole study has; none where no tree reaches it.
+Result<void> attributeToTrees(PlaceContributions& made, const City& city, const Receivers& receivers,
+                              const SunSteps& sun, std::span<const TreeColumns> columns, Progress& progress,
+                              const std::stop_token& stop) {
+    if (!city.trees || columns.empty()) return {};
+    const auto taken = traceTakenByTree(city, receivers, sun, progress, stop);
+    if (!taken) return tl::make_unexpected(taken.error());
+    made.trees = listTreeContributions(city, *taken, columns, made.breakdown, made.days);
+    return {};
+}
+
 Result<PlaceContributions> attribute(const Study& study, const Place& place, Progress& progress,
-                                     std::stop_token stop, const EngineList& engines) {
+                                     const std::stop_token& stop, const EngineList& engines) {
     const auto engine = makeAttributing(study.settings, engines);
     if (!engine) return tl::make_unexpected(engine.error());
     const std::vector<std::uint32_t> cells = findCellsIn(place, study.receivers);
     if (cells.empty())
         return failure("No cell of the study lies on open ground of this place", place.name,
                        "Choose a place in the study's region, or run the study with smaller cells");
-    auto breakdown = (*engine)->breakDown(study.city, cropTo(cells, study.receivers), study.sun,
-                                          monthsOf(study.sun), true, progress, std::move(stop));
+    const Receivers receivers = cropTo(cells, study.receivers);
+    auto breakdown =
+        (*engine)->breakDown(study.city, receivers, study.sun, monthsOf(study.sun), true, progress, stop);
     if (!breakdown) return tl::make_unexpected(breakdown.error());
     PlaceContributions made{place,
                             *std::move(breakdown),
@@ -90,6 +103,10 @@ Result<PlaceContributions> attribute(const Study& study, const Place& place, Pro
                             study.settings.period,
                             study.field.sunlitMinutesPerDay};
     made.rows = listContributions(study.city, made.breakdown, made.days);
+    std::vector<TreeColumns> columns;
+    for (const ShadeColumn& shade : listShadeColumns(study.field)) columns.push_back(shade.column);
+    if (auto done = attributeToTrees(made, study.city, receivers, study.sun, columns, progress, stop); !done)
+        return tl::make_unexpected(done.error());
     return made;
 }
 
@@ -115,7 +132,7 @@ Result<SunSteps> daylightOf(const SunByPlace& sun, std::optional<std::size_t> da
 // On ground that is open in all cities, in the cells that the place was measured on.
 Result<PlaceContributions> attribute(const SunOfCities& all, std::size_t place,
                                      std::optional<std::size_t> date, Progress& progress,
-                                     std::stop_token stop, const EngineList& engines) {
+                                     const std::stop_token& stop, const EngineList& engines) {
     const SunByPlace& sun = all.compared.empty() ? all.baseline : all.compared.back().sun;
     const Place& where = sun.places[place];
     const SunOfPlace& of = sun.sun[place];
@@ -131,8 +148,8 @@ Result<PlaceContributions> attribute(const SunOfCities& all, std::size_t place,
     const auto when = daylightOf(sun, date, stop);
     if (!when) return tl::make_unexpected(when.error());
     const std::size_t days = when->dayCount();
-    auto breakdown = (*engine)->breakDown(sun.city, on->receivers, *when, monthsOf(*when), true, progress,
-                                          std::move(stop));
+    auto breakdown =
+        (*engine)->breakDown(sun.city, on->receivers, *when, monthsOf(*when), true, progress, stop);
     if (!breakdown) return tl::make_unexpected(breakdown.error());
     const double hours = date ? of.dateHours[*date] : of.meanHours;
     const double sunlitMinutes = when->sunlitMinutes() / double(days);
@@ -146,6 +163,10 @@ Result<PlaceContributions> attribute(const SunOfCities& all, std::size_t place,
                             periodOf(sun.settings, dateOf(sun, date)),
                             sunlitMinutes};
     made.rows = listContributions(sun.city, made.breakdown, days);
+    std::vector<TreeColumns> columns;
+    for (const SunWithTrees& with : sun.withTrees) columns.push_back(with.column);
+    if (auto done = attributeToTrees(made, sun.city, on->receivers, *when, columns, progress, stop); !done)
+        return tl::make_unexpected(done.error());
     return made;
 }
 
@@ -155,14 +176,14 @@ Result<PlaceContributions> computePlaceContributions(const SunOfCities& sun, std
                                                      std::optional<std::size_t> date, Progress& progress,
                                                      std::stop_token stop, const EngineList& engines) {
     return guardMemory({.advice = "Choose a smaller place or larger cells"},
-                       [&] { return attribute(sun, place, date, progress, std::move(stop), engines); });
+                       [&] { return attribute(sun, place, date, progress, stop, engines); });
 }
 
 Result<PlaceContributions> computePlaceContributions(const Study& study, const Place& place,
                                                      Progress& progress, std::stop_token stop,
                                                      const EngineList& engines) {
     return guardMemory({.advice = "Choose a smaller place or larger cells"},
-                       [&] { return attribute(study, place, progress, std::move(stop), engines); });
+                       [&] { return attribute(study, place, progress, stop, engines); });
 }
 
 }  // namespace noonmark

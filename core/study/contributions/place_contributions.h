@@ -8,7 +8,7 @@
 
 namespace noonmark {
 
-/// What the buildings take from one place of a study.
+/// What the buildings and trees take from one place of a study.
 struct PlaceContributions {
     Place place;
     ShadowBreakdown breakdown;  ///< by month and by building, over the study's cells in the place
@@ -20,6 +20,8 @@ struct PlaceContributions {
     std::vector<Contribution> rows;  ///< of listContributions()
     Period period;                   ///< of the study, or one of its dates
     double sunlitMinutesPerDay = 0;  ///< of that period
+    /// What single trees take of the sun that buildings leave, in the columns that were measured.
+    std::vector<TreeContribution> trees{};
 };
 
 /// Attributes the shadow of a place to buildings, with the engine, the steps and the cells of the study, but
@@ -50,12 +52,19 @@ struct ContributionTable {
     std::string engine;
     std::size_t cells = 0;
     double sunlitMinutesPerDay = 0;
-    std::vector<std::string> months{};  ///< "2026-01"; those that rows have sums of
-    std::vector<Contribution> rows;     ///< read back: without indices of buildings
+    std::vector<std::string> months{};      ///< "2026-01"; those that rows have sums of
+    std::vector<Contribution> rows;         ///< read back: without indices of buildings
+    std::vector<TreeContribution> trees{};  ///< read back: without indices of trees
 };
 ContributionTable makeContributionTable(const PlaceContributions& of);
 /// Replaces an earlier one of the same place and period.
 std::vector<ContributionTable> withContributions(std::vector<ContributionTable> all, ContributionTable more);
+
+/// Trees as saved answers hold them: source_id, species and a key for each figure and column
+/// ("share_seasonal").
+nlohmann::ordered_json treesJson(const std::vector<TreeContribution>& trees);
+/// Of that, without indices of trees; throws nlohmann's exceptions for JSON of another structure.
+std::vector<TreeContribution> parseTrees(const nlohmann::ordered_json& json);
 
 /// The JSON of an answer with a member `contributions_of_places`; without any it stays as it is.
 std::string withContributions(std::string json, const std::vector<ContributionTable>& all);
@@ -65,6 +74,10 @@ std::vector<ContributionTable> parseContributions(const nlohmann::ordered_json& 
 /// columns; a row for each building of each place.
 std::string contributionsCsv(const std::vector<ContributionTable>& all, const Provenance& provenance);
 inline constexpr const char* contributionTableFile = "contributions_of_places.csv";
+/// Columns: place,kind,period,trees ("evergreen", "seasonal"),source_id,species, the figures and the source
+/// columns; a row for each tree of each place and column.
+std::string placeTreesCsv(const std::vector<ContributionTable>& all, const Provenance& provenance);
+inline constexpr const char* placeTreesFile = "trees_of_places.csv";
 
 /// Those rows as a layer for a GIS: the outline of each building with what it takes from a place, so that a
 /// building has a polygon for each place. Columns: place,kind,period,source_id,name and the figures. Without

@@ -75,4 +75,16 @@ ElementMap makeElementMap(const ElementStudy& study) {
     return map;
 }
 
+std::optional<ElementMap> inColumn(const ElementMap& map, TreeColumns column) {
+    ElementMap made = map;
+    made.column = column;
+    for (MeasuredElement& element : made.elements) {
+        const auto with = std::ranges::find(element.withTrees, column, &ShadedMinutes::column);
+        if (with == element.withTrees.end()) return std::nullopt;
+        static_cast<ElementMinutes&>(element) = *with;
+        element.withTrees.clear();
+    }
+    return made.elements.empty() ? std::nullopt : std::optional(std::move(made));
+}
+
 }  // namespace noonmark

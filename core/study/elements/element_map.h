@@ -53,7 +53,12 @@ struct MeasuredElement : ElementMinutes {
 struct ElementMap {
     std::vector<MeasuredElement> elements;
     double possibleMin = 0;  ///< minutes a day with the sun above the horizon, mean over the days
+    std::optional<TreeColumns> column{};  ///< that it states of several (inColumn()), which legends name
 };
+
+/// The list with the minutes of one column in place of those without trees; nothing where it has no such
+/// column.
+std::optional<ElementMap> inColumn(const ElementMap& map, TreeColumns column);
 
 /// A study at points with that list.
 struct ElementAnswer {

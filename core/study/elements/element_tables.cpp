@@ -126,13 +126,13 @@ ElementTable makeElementTable(const ElementStudy& study) {
     return makeElementTable(makeElementMap(study), study.city, sourceValues(study.provenance));
 }
 
-LayerStyle makeStyle(const ColourScale& scale) {
+LayerStyle makeStyle(const ColourScale& scale, const std::string& suffix) {
     const ShownAs as = scale.quantity.as;
     const char* column = as == ShownAs::sun     ? "sunlit_min"
                          : as == ShownAs::share ? "sunlit_pct"
                                                 : "gross_min";
     return {std::string(scale.quantity.title()),
-            graduatedStyle(StyledShape::points, column,
+            graduatedStyle(StyledShape::points, column + suffix,
                            styleClasses(scale, as == ShownAs::sun ? minutesPerHour : 1))};
 }
 

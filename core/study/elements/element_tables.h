@@ -29,8 +29,8 @@ ElementTable makeElementTable(const ElementStudy& study);
 ElementTable makeElementTable(const ElementMap& map, const City& city, const SourceValues& source);
 
 /// The style of the points for QGIS, in the colours of a map of their gross shadow: by gross_min, sunlit_min
-/// or sunlit_pct, as the scale shows.
-LayerStyle makeStyle(const ColourScale& scale);
+/// or sunlit_pct, as the scale shows, of the columns that end with `suffix` (suffixOf()).
+LayerStyle makeStyle(const ColourScale& scale, const std::string& suffix = {});
 
 /// The table as CSV (RFC 4180), in metres, minutes and degrees with fixed digits.
 std::string toCsv(const ElementTable& table);

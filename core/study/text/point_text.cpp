@@ -182,12 +182,30 @@ PointJson crownsJson(const PointCrowns& crowns, const City& city) {
             {"crowns", list}};
 }
 
-void addCrowns(PointJson& json, const PointCrowns& crowns, const City& city) {
+PointJson takenJson(const PointCrowns& crowns) {
+    PointJson list = PointJson::array();
+    for (const TreeMinutes& one : listTakenByTree(crowns))
+        list.push_back({{"tree", crowns.trees->trees[one.tree].sourceId},
+                        {"species", crowns.trees->trees[one.tree].species},
+                        {"day_min_evergreen", roundAsText(one.dayEvergreen, 2)},
+                        {"day_min_seasonal", roundAsText(one.daySeasonal, 2)},
+                        {"year_min_evergreen", roundAsText(one.yearEvergreen, 1)},
+                        {"year_min_seasonal", roundAsText(one.yearSeasonal, 1)}});
+    return list;
+}
+
+void addCrowns(PointJson& json, const PointCrowns& crowns, const City& city, bool wall) {
     json["trees"] = crownsJson(crowns, city);
+    json["taken_by_tree"] = takenJson(crowns);
     json["sunlit_min_evergreen"] = roundAsText(crowns.dayEvergreenMin, 2);
     json["sunlit_min_seasonal"] = roundAsText(crowns.daySeasonalMin, 2);
     json["minutes_by_month_evergreen"] = listRounded(sumMonths(crowns.evergreen));
     json["minutes_by_month_seasonal"] = listRounded(sumMonths(crowns.seasonal));
+    json["svf_evergreen"] = roundAsText(crowns.skyEvergreen.skyView, 5);
+    json["svf_seasonal"] = roundAsText(crowns.skySeasonal.skyView, 5);
+    if (!wall) return;
+    json["vsc_pct_evergreen"] = roundAsText(crowns.skyEvergreen.skyComponentPct, 3);
+    json["vsc_pct_seasonal"] = roundAsText(crowns.skySeasonal.skyComponentPct, 3);
 }
 
 void addView(PointJson& json, const PointView& view, const PointStudy& study, const City& city,
@@ -201,7 +219,7 @@ void addView(PointJson& json, const PointView& view, const PointStudy& study, co
     for (const auto& month : view.minutes) hours.push_back(listRounded(month));
     json["minutes_by_month"] = listRounded(sumMonths(view.minutes));
     json["minutes_by_month_and_hour"] = hours;
-    if (view.crowns) addCrowns(json, *view.crowns, city);
+    if (view.crowns) addCrowns(json, *view.crowns, city, study.question.facingDeg.has_value());
     json["svf"] = roundAsText(view.factors.skyView, 5);
     if (study.question.facingDeg) json["vsc_pct"] = roundAsText(view.factors.skyComponentPct, 3);
 }
@@ -252,6 +270,13 @@ PointJson pointCasesJson(const std::vector<PointCaseFigures>& cases, bool wall) 
             one["year_min"] = roundAsText(figures.yearMin, 1);
             one["svf"] = roundAsText(figures.skyView, 5);
             if (wall) one["vsc_pct"] = roundAsText(figures.skyComponentPct, 3);
+            for (const PointCaseShade& with : figures.withTrees) {
+                const std::string trees = suffixOf(with.column);
+                one["day_min" + trees] = roundAsText(with.dayMin, 2);
+                one["year_min" + trees] = roundAsText(with.yearMin, 1);
+                one["svf" + trees] = roundAsText(with.skyView, 5);
+                if (wall) one["vsc_pct" + trees] = roundAsText(with.skyComponentPct, 3);
+            }
         }
         list.push_back(std::move(one));
     }
@@ -289,6 +314,30 @@ std::string treesText(const PointCrowns& crowns) {
         "{:.0f} min on the day and {:.0f} h in the year with their seasons, {:.0f} min and {:.0f} h "
         "as evergreens",
         crowns.daySeasonalMin, hours(crowns.seasonal), crowns.dayEvergreenMin, hours(crowns.evergreen));
+}
+
+std::string takenText(const PointCrowns& crowns) {
+    constexpr std::size_t maximum = 3;
+    const std::vector<TreeMinutes> trees = listTakenByTree(crowns);
+    std::string text;
+    for (std::size_t i = 0; i < std::min(maximum, trees.size()); ++i) {
+        const Tree& tree = crowns.trees->trees[trees[i].tree];
+        text += fmt::format(
+            "{}{} {:.0f} min on the day, {:.1f} h in the year", i > 0 ? "; " : "",
+            tree.species.empty() ? tree.sourceId : fmt::format("{} ({})", tree.species, tree.sourceId),
+            trees[i].daySeasonal, trees[i].yearSeasonal / 60);
+    }
+    if (trees.size() > maximum) text += fmt::format("; {} more", trees.size() - maximum);
+    return text;
+}
+
+std::string treesSkyText(const PointCrowns& crowns, bool wall) {
+    std::string text = fmt::format("sky view factor {:.3f} with their seasons, {:.3f} as evergreens",
+                                   crowns.skySeasonal.skyView, crowns.skyEvergreen.skyView);
+    if (wall)
+        text += fmt::format("; vertical sky component {:.1f} % and {:.1f} %",
+                            crowns.skySeasonal.skyComponentPct, crowns.skyEvergreen.skyComponentPct);
+    return text;
 }
 
 std::string shadedText(const PointView& view, const City& city, const Zone& zone) {

@@ -27,6 +27,11 @@ std::string sunlitText(const PointView& view, const Zone& zone);
 
 /// The sun that crowns leave: "212 min on the day and 1,240 h in the year with their seasons, ...".
 std::string treesText(const PointCrowns& crowns);
+/// The trees that take most of the sun that buildings leave, with their seasons: "Tilia cordata (tree 3) 42
+/// min on the day, 210 h in the year; 4 more"; empty: none takes any.
+std::string takenText(const PointCrowns& crowns);
+/// The sky that trees leave: "sky view factor 0.331 with their seasons, 0.290 as evergreens".
+std::string treesSkyText(const PointCrowns& crowns, bool wall);
 
 /// What hides the sun on the day, and when: "One57 10:41-12:06, the terrain 14:15-14:30", or "nothing".
 std::string shadedText(const PointView& view, const City& city, const Zone& zone);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/describe/figure_text.h"
-#include "core/study/contributions/contributions.h"
+#include "core/study/contributions/place_contributions.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/provenance/provenance_texts.h"
 #include "core/study/provenance/study_hash.h"
@@ -135,6 +135,7 @@ SavedResult makeSavedResult(const Project& project, const std::string& scenario,
     Json origin = originJson(at, hashCity(study.city), study.settings);
     if (Json contributions = contributionsJson(study); !contributions.is_null())
         origin["contributions"] = std::move(contributions);
+    if (study.byTree) origin["tree_contributions"] = treesJson(listTreeContributions(study));
     return {{},
             "study",
             scenario,

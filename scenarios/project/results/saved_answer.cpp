@@ -131,6 +131,7 @@ SavedStudy studyOf(const SavedResult& result, const Json& json) {
     study.months = parseMonths(json.value("by_month", Json::array()));
     const Json saved = json.value("kept", Json::object());
     if (saved.contains("contributions")) study.contributions = contributionsOf(saved.at("contributions"));
+    if (saved.contains("tree_contributions")) study.trees = parseTrees(saved.at("tree_contributions"));
     return study;
 }
 

@@ -54,6 +54,7 @@ struct SavedStudy {
     /// What buildings take from the region, without indices in City::buildings and sets of steps. None: not
     /// asked for, or not stored by the version.
     std::optional<std::vector<Contribution>> contributions{};
+    std::vector<TreeContribution> trees{};  ///< what single trees take, without indices; likewise
     std::vector<ShownError>
         errors{};  ///< of the quantities it shows; none where the version did not state them
 };

@@ -198,6 +198,11 @@ TEST_F(ProjectFileTest, AFileOfVersion10WithAColumnOfThatNameIsRefused) {
     EXPECT_THAT(errorOfOpening(), HasSubstr("column 'leaf_on_day'"));
 }
 
+TEST_F(ProjectFileTest, AFileOfVersion11IsOpened) {
+    fs::copy_file(testFile("scenarios/files/version-11.noonmark.gpkg"), file());
+    expectSame(opened(), sampleWithPoints());
+}
+
 TEST_F(ProjectFileTest, TablesOfNewNamesThatAreNotOursAreNotOverwritten) {
     for (const std::string name : {"Places", "sheet_settings", "saved_views"}) {
         fs::remove(file());

@@ -240,11 +240,16 @@ GroundAnswer inColumn(GroundAnswer answer, TreeColumns column) {
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
+    const std::shared_ptr<const Score> all(score, &score->score);
+    std::vector<GroundAnswer::Column> columns;
+    for (const ShadedScore& with : score->score.withTrees)
+        if (!with.score.empty()) columns.push_back({with.column, inColumn(all, with.column), false});
     return {
-        .map = std::shared_ptr<const Score>(score, &score->score),
+        .map = all,
         .note =
             QObject::tr("%1 with the weights %2").arg(nameOf(score->scenario), nameOf(score->weights.name)),
-        .when = describeWhen(score->settings.period)};
+        .when = describeWhen(score->settings.period),
+        .withTrees = std::move(columns)};
 }
 
 QString makeNote(const GroundAnswer& answer, ShadowMeasure measure, ShownAs show) {

@@ -163,6 +163,12 @@ void ContributionLinks::refresh() {
            "shade it."));
 }
 
+// Where the legend shows no trees, those with their seasons are listed: they are part of who shades it.
+ContributionView ContributionLinks::view() const {
+    const TreeColumns trees = panel_.legend().choice().trees;
+    return {shownAs(), trees == TreeColumns::without ? TreeColumns::seasonal : trees};
+}
+
 // Sun by place has a switch of its own.
 ShownAs ContributionLinks::shownAs() const {
     return sunOf(workbench_.answer()) ? panel_.legend().shownOfPlaces() : panel_.legend().choice().show;
@@ -170,7 +176,7 @@ ShownAs ContributionLinks::shownAs() const {
 
 void ContributionLinks::showSun() {
     if (const ContributionTable* known = savedTable(); known != nullptr && workbench_.city())
-        return dock_.show(makeContributionSheet(*known, workbench_.city()->city(), shownAs()));
+        return dock_.show(makeContributionSheet(*known, workbench_.city()->city(), view()));
     if (placeOfSun())
         return dock_.explain(tr("What the buildings take from this place has not been computed yet."), true);
     dock_.explain(
@@ -179,15 +185,15 @@ void ContributionLinks::showSun() {
 }
 
 void ContributionLinks::showStudy(const Study& study) {
-    if (const auto answer = shown()) return dock_.show(makeContributionSheet(study, *answer, shownAs()));
+    if (const auto answer = shown()) return dock_.show(makeContributionSheet(study, *answer, view()));
     if (const ContributionTable* known = savedTable())
-        return dock_.show(makeContributionSheet(*known, study.city, shownAs()));
+        return dock_.show(makeContributionSheet(*known, study.city, view()));
     if (!dock_.subject().empty())
         return dock_.explain(tr("What the buildings take from this place has not been computed yet."), true);
     if (study.settings.contributions && study.breakdown)
         return dock_.show(makeContributionSheet(
             study, *study.breakdown, listContributions(study.city, *study.breakdown, study.sun.dayCount()),
-            shownAs()));
+            view(), listTreeContributions(study)));
     dock_.explain(tr("Click a place in the view to see which buildings shade it, or attribute the shadow of "
                      "the whole region."),
                   true, makeMonthBars(study));
@@ -196,10 +202,10 @@ void ContributionLinks::showStudy(const Study& study) {
 // What a place gets is computed from a study, which the project file does not hold.
 void ContributionLinks::showSaved(const SavedContent& saved) {
     if (const ContributionTable* known = savedTable(); known != nullptr && workbench_.city())
-        return dock_.show(makeContributionSheet(*known, workbench_.city()->city(), shownAs()));
+        return dock_.show(makeContributionSheet(*known, workbench_.city()->city(), view()));
     const auto* study = saved.as<SavedStudy>();
     if (study && study->contributions && dock_.subject().empty() && workbench_.city())
-        return dock_.show(makeContributionSheet(*study, workbench_.city()->city(), shownAs()));
+        return dock_.show(makeContributionSheet(*study, workbench_.city()->city(), view()));
     dock_.explain(tr("A saved result holds what buildings take from its whole region, if that was asked for. "
                      "Of places it holds those that were attributed before it was saved."),
                   false, study ? makeMonthBars(study->months, study->start, study->field.days) : Bars());

@@ -52,6 +52,7 @@ private:
     void markSelected();
     void colour();
     [[nodiscard]] ShownAs shownAs() const;
+    [[nodiscard]] ContributionView view() const;
     [[nodiscard]] std::shared_ptr<const SunOfCities> sun() const;
     [[nodiscard]] std::optional<std::size_t> placeOfSun() const;
     [[nodiscard]] const ContributionTable* savedTable() const;

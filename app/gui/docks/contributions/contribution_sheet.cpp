@@ -11,6 +11,7 @@
 #include "app/gui/session/answers/result_rows.h"
 #include "core/describe/figure_text.h"
 #include "core/describe/shown_as.h"
+#include "core/measures/shadow_figures.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {
@@ -88,12 +89,64 @@ QString describeLargest(const std::vector<ContributionRow>& rows) {
         .arg(formatCount(quint64(buildings)), rows.front().name, percentOf(rows.front().share));
 }
 
+/// What all rows of a list take.
+struct SumOfRows {
+    double allMin = 0, withoutTreesMin = 0;  ///< a day, mean over the cells
+    std::size_t trees = 0;
+};
+
+SumOfRows sumUp(const std::vector<Contribution>& rows) {
+    SumOfRows sum;
+    for (const Contribution& row : rows) {
+        sum.allMin += row.attributedMin;
+        if (row.isTree)
+            ++sum.trees;
+        else
+            sum.withoutTreesMin += row.attributedMin;
+    }
+    return sum;
+}
+
+// "284 min a day in shadow, 30 % of the sunlit time (trees with their seasons); 197 min ... (without trees)."
+QString describeTimes(const SumOfRows& sum, double sunlitMin, ShownAs show, TreeColumns trees) {
+    const auto of = [&](double minutes, TreeColumns column) {
+        return QObject::tr("%1 (%2)", "time in shadow, which trees are counted")
+            .arg(describeTime(minutes, sunlitMin, show), translatedSentence(describeTrees(column)));
+    };
+    return QStringLiteral("%1; %2").arg(of(sum.allMin, trees), of(sum.withoutTreesMin, TreeColumns::without));
+}
+
+QString describeTreeSum(const SumOfRows& sum) {
+    return QObject::tr("%1 tree(s) take sun from it, %2 % of the shadow.", "",
+                       pluralNumber(quint64(sum.trees)))
+        .arg(formatCount(quint64(sum.trees)), percentOf(1 - sum.withoutTreesMin / sum.allMin));
+}
+
 QString describeSum(const ContributionSheet& sheet, const std::vector<Contribution>& rows, double sunlitMin,
-                    ShownAs show) {
+                    const ContributionView& view) {
     if (rows.empty()) return QObject::tr("No building shades it in the period.");
-    double minutes = 0;
-    for (const Contribution& row : rows) minutes += row.attributedMin;
-    return QStringLiteral("%1. %2.").arg(describeTime(minutes, sunlitMin, show), describeLargest(sheet.rows));
+    const SumOfRows sum = sumUp(rows);
+    if (sum.trees == 0)
+        return QStringLiteral("%1. %2.").arg(describeTime(sum.allMin, sunlitMin, view.show),
+                                             describeLargest(sheet.rows));
+    const QString buildings = sum.trees == rows.size() ? QObject::tr("No building shades it in the period.")
+                                                       : describeLargest(sheet.rows) + QLatin1Char('.');
+    return QStringLiteral("%1. %2 %3")
+        .arg(describeTimes(sum, sunlitMin, view.show, view.trees), buildings, describeTreeSum(sum));
+}
+
+// Rows and headline. `rowOf`: of a building or the terrain.
+template <class RowOf>
+void fillSheet(ContributionSheet& sheet, const std::vector<Contribution>& buildings,
+               const std::vector<TreeContribution>& trees, double sunlitMin, ContributionView view,
+               const RowOf& rowOf) {
+    view.trees = chooseRankedColumn(trees, view.trees);
+    const std::vector<Contribution> rows =
+        trees.empty() ? buildings : rankWithTrees(buildings, trees, view.trees);
+    for (const Contribution& one : rows)
+        sheet.rows.push_back(one.isTree ? makeRow(one, nameOfTree(one), nullptr) : rowOf(one));
+    sheet.areTreesListed = !trees.empty();
+    sheet.headline = describeSum(sheet, rows, sunlitMin, view);
 }
 
 /// The change over the cells of a place, or of the whole region.
@@ -138,6 +191,11 @@ std::shared_ptr<const Building> recordedBuilding(const City& city, const std::st
 // Of a saved study, whose buildings have no index.
 bool isTerrain(const Contribution& one) { return one.id == terrainId; }
 
+ContributionRow makeRecordedRow(const Contribution& one, const City& city) {
+    if (isTerrain(one)) return makeRow(one, QObject::tr("Terrain"), nullptr);
+    return makeRow(one, nameOf(one.name, one.id), recordedBuilding(city, one.id));
+}
+
 QString describeChange(const ImpactAnswer& answer, double meanMin, std::size_t cells, ShownAs show) {
     const bool isSun = show != ShownAs::shadow;
     const double shown = isSun ? -meanMin : meanMin;
@@ -162,20 +220,22 @@ void shareOut(ContributionSheet& sheet) {
 }  // namespace
 
 ContributionSheet makeContributionSheet(const Study& study, const ShadowBreakdown& breakdown,
-                                        const std::vector<Contribution>& rows, ShownAs show) {
+                                        const std::vector<Contribution>& rows, const ContributionView& view,
+                                        const std::vector<TreeContribution>& trees) {
     ContributionSheet sheet{.columns = columnsOfStudy()};
-    for (const Contribution& one : rows) sheet.rows.push_back(makeRow(one, study.city));
-    sheet.headline = describeSum(sheet, rows, study.field.sunlitMinutesPerDay, show);
+    fillSheet(sheet, rows, trees, study.field.sunlitMinutesPerDay, view,
+              [&](const Contribution& one) { return makeRow(one, study.city); });
     sheet.method = QString::fromStdString(breakdown.engine);
     sheet.months = makeMonthBars(study);
     return sheet;
 }
 
-ContributionSheet makeContributionSheet(const Study& study, const PlaceContributions& of, ShownAs show) {
-    ContributionSheet sheet = makeContributionSheet(study, of.breakdown, of.rows, show);
+ContributionSheet makeContributionSheet(const Study& study, const PlaceContributions& of,
+                                        const ContributionView& view) {
+    ContributionSheet sheet = makeContributionSheet(study, of.breakdown, of.rows, view, of.trees);
     sheet.months = makeMonthBars(of.breakdown, study.sun);
     const double cellDays = double(of.cells) * of.breakdown.grid.cellAreaM2() * double(of.days);
-    const QString itself = describeTime(of.studyMinM2 / cellDays, study.field.sunlitMinutesPerDay, show);
+    const QString itself = describeTime(of.studyMinM2 / cellDays, study.field.sunlitMinutesPerDay, view.show);
     sheet.note = QObject::tr("%1 cell(s); in the study itself %2.", "", pluralNumber(of.cells))
                      .arg(formatCount(of.cells), itself) +
                  QLatin1Char(' ') + periodText(of.period);
@@ -185,25 +245,21 @@ ContributionSheet makeContributionSheet(const Study& study, const PlaceContribut
     return sheet;
 }
 
-ContributionSheet makeContributionSheet(const SavedStudy& study, const City& city, ShownAs show) {
+ContributionSheet makeContributionSheet(const SavedStudy& study, const City& city,
+                                        const ContributionView& view) {
     ContributionSheet sheet{.columns = columnsOfStudy()};
-    for (const Contribution& one : *study.contributions) {
-        const QString name = isTerrain(one) ? QObject::tr("Terrain") : nameOf(one.name, one.id);
-        sheet.rows.push_back(makeRow(one, name, isTerrain(one) ? nullptr : recordedBuilding(city, one.id)));
-    }
-    sheet.headline = describeSum(sheet, *study.contributions, study.field.sunlitMinutesPerDay, show);
+    fillSheet(sheet, *study.contributions, study.trees, study.field.sunlitMinutesPerDay, view,
+              [&](const Contribution& one) { return makeRecordedRow(one, city); });
     sheet.method = QString::fromStdString(study.field.engine);
     sheet.months = makeMonthBars(study.months, study.start, study.field.days);
     return sheet;
 }
 
-ContributionSheet makeContributionSheet(const ContributionTable& of, const City& city, ShownAs show) {
+ContributionSheet makeContributionSheet(const ContributionTable& of, const City& city,
+                                        const ContributionView& view) {
     ContributionSheet sheet{.columns = columnsOfStudy()};
-    for (const Contribution& one : of.rows) {
-        const QString name = isTerrain(one) ? QObject::tr("Terrain") : nameOf(one.name, one.id);
-        sheet.rows.push_back(makeRow(one, name, isTerrain(one) ? nullptr : recordedBuilding(city, one.id)));
-    }
-    sheet.headline = describeSum(sheet, of.rows, of.sunlitMinutesPerDay, show);
+    fillSheet(sheet, of.rows, of.trees, of.sunlitMinutesPerDay, view,
+              [&](const Contribution& one) { return makeRecordedRow(one, city); });
     sheet.note = QObject::tr("%1 cell(s)", "", pluralNumber(of.cells)).arg(formatCount(of.cells));
     if (!of.period.empty()) sheet.note += QStringLiteral("; ") + QString::fromStdString(of.period);
     sheet.method = QObject::tr("Attributed by: %1").arg(QString::fromStdString(of.engine));
@@ -227,6 +283,11 @@ ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& 
     sheet.headline = describeChange(answer, mean, all.cells, show);
     sheet.method = QString::fromStdString(answer.study.total.engine);
     return sheet;
+}
+
+QString nameOfTree(const Contribution& tree) {
+    return QObject::tr("Tree %1", "its species or number")
+        .arg(QString::fromStdString(noonmark::nameOf(tree)));
 }
 
 std::size_t classOf(double share) {

@@ -23,10 +23,10 @@ struct ContributionColumn {
     int decimals = 1;
 };
 
-/// A building, or the terrain.
+/// A building, a tree, or the terrain.
 struct ContributionRow {
     QString name;
-    std::shared_ptr<const Building> building;  ///< null: the terrain
+    std::shared_ptr<const Building> building;  ///< null: a tree, or the terrain
     double share = 0;                          ///< of all that is listed, 0 to 1: its colour on the map
     std::vector<double> values;                ///< by column
 };
@@ -39,19 +39,31 @@ struct ContributionSheet {
     std::vector<ContributionColumn> columns;
     std::vector<ContributionRow> rows;
     Bars months{};  ///< hours of sun; without groups: none
+    bool areTreesListed = false;
 };
 
-// `show`: whether the sentences are about shadow or about sun; what buildings take is shadow in both.
+/// How a sheet is worded, and which trees it ranks with the buildings.
+struct ContributionView {
+    ShownAs show = ShownAs::shadow;  ///< what sentences are about; what buildings take is shadow in both
+    TreeColumns trees = TreeColumns::seasonal;  ///< where they were measured (chooseRankedColumn())
+};
 
-/// The sheet of a study: the buildings of `rows`, over the cells of `breakdown`.
+/// The name of a tree in lists: "Tree Tilia cordata (node/123)".
+QString nameOfTree(const Contribution& tree);
+
+/// The sheet of a study: the buildings of `rows` and the trees, over the cells of `breakdown`.
 ContributionSheet makeContributionSheet(const Study& study, const ShadowBreakdown& breakdown,
-                                        const std::vector<Contribution>& rows, ShownAs show);
+                                        const std::vector<Contribution>& rows, const ContributionView& view,
+                                        const std::vector<TreeContribution>& trees = {});
 /// With the study's own figure of the same cells beside it.
-ContributionSheet makeContributionSheet(const Study& study, const PlaceContributions& of, ShownAs show);
+ContributionSheet makeContributionSheet(const Study& study, const PlaceContributions& of,
+                                        const ContributionView& view);
 /// The sheet of a saved study that states contributions(), for the buildings that still stand in `city`.
-ContributionSheet makeContributionSheet(const SavedStudy& study, const City& city, ShownAs show);
+ContributionSheet makeContributionSheet(const SavedStudy& study, const City& city,
+                                        const ContributionView& view);
 /// The sheet of a place whose contributions an answer keeps, for the buildings that still stand in `city`.
-ContributionSheet makeContributionSheet(const ContributionTable& of, const City& city, ShownAs show);
+ContributionSheet makeContributionSheet(const ContributionTable& of, const City& city,
+                                        const ContributionView& view);
 /// The sheet of a comparison: the new buildings, by what each of them adds alone. `place`: null is the whole
 /// region. `after`: the city with the new buildings.
 ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& after, const Place* place,

@@ -82,7 +82,10 @@ QVariant ContributionModel::data(const QModelIndex& index, int role) const {
 
 QVariant ContributionModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal) return {};
-    if (section == 0) return role == Qt::DisplayRole ? QVariant(tr("Building")) : QVariant();
+    if (section == 0)
+        return role == Qt::DisplayRole
+                   ? QVariant(sheet_.areTreesListed ? tr("Building or tree") : tr("Building"))
+                   : QVariant();
     const ContributionColumn& column = sheet_.columns[std::size_t(section) - 1];
     if (role == Qt::DisplayRole) return column.heading;
     return role == Qt::ToolTipRole ? QVariant(column.meaning) : QVariant();

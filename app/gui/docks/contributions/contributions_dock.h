@@ -26,7 +26,7 @@ public:
 
     void show(ContributionSheet sheet);
     [[nodiscard]] const ContributionSheet& sheet() const { return sheet_; }
-    [[nodiscard]] const std::shared_ptr<const Building>& buildingOf(int row) const;  ///< null: the terrain
+    [[nodiscard]] const std::shared_ptr<const Building>& buildingOf(int row) const;  ///< null: none
     [[nodiscard]] int rowOf(const Building* building) const;                         ///< -1: not in the table
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;

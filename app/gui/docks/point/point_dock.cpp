@@ -139,8 +139,8 @@ void PointScenarios::makeFields() {
     table_ = new QTableWidget(0, columnCount);
     table_->setObjectName(QStringLiteral("pointScenarios"));
     table_->setToolTip(
-        tr("The point's sun and sky in every scenario of the project. Copy (Ctrl+C) takes the "
-           "table"));
+        tr("The point's sun and sky in every scenario of the project, without trees. Copy (Ctrl+C) takes "
+           "the table"));
     table_->setHorizontalHeaderLabels(
         {tr("Scenario"), tr("Day, min"), tr("Year, h"), tr("Change, h"), tr("Sky view"), tr("VSC, %")});
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -208,6 +208,17 @@ QString treesOf(const PointCrowns& crowns) {
              groupDigits(crowns.dayEvergreenMin, 0), groupDigits(hoursOf(crowns.evergreen), 0));
 }
 
+QString skyWithTrees(const PointCrowns& crowns, bool wall) {
+    QString text =
+        PointDock::tr("\nSky view factor with trees: %1 with their seasons, %2 as evergreens")
+            .arg(groupDigits(crowns.skySeasonal.skyView, 3), groupDigits(crowns.skyEvergreen.skyView, 3));
+    if (wall)
+        text += PointDock::tr("\nVertical sky component with trees: %1 % and %2 %")
+                    .arg(groupDigits(crowns.skySeasonal.skyComponentPct, 1),
+                         groupDigits(crowns.skyEvergreen.skyComponentPct, 1));
+    return text;
+}
+
 QString figuresOf(const PointView& view, const PointStudy& study, const Zone& zone) {
     const double lit = study.possibleMin - view.year.grossMin * double(study.sun.dayCount());
     QString text = PointDock::tr("In the sun on %1: %2\nIn the year: %3 h of %4 h\nSky view factor: %5")
@@ -216,10 +227,15 @@ QString figuresOf(const PointView& view, const PointStudy& study, const Zone& zo
                        .arg(groupDigits(lit / 60, 0))
                        .arg(groupDigits(study.possibleMin / 60, 0))
                        .arg(groupDigits(view.factors.skyView, 3));
-    if (view.crowns) text += PointDock::tr("\nWith trees: %1").arg(treesOf(*view.crowns));
+    if (view.crowns) {
+        text += PointDock::tr("\nWith trees: %1").arg(treesOf(*view.crowns));
+        if (const std::string taken = takenText(*view.crowns); !taken.empty())
+            text += PointDock::tr("\nTaken by trees: %1").arg(localiseNumbers(QString::fromStdString(taken)));
+    }
     if (study.question.facingDeg)
         text +=
             PointDock::tr("\nVertical sky component: %1 %").arg(groupDigits(view.factors.skyComponentPct, 1));
+    if (view.crowns) text += skyWithTrees(*view.crowns, study.question.facingDeg.has_value());
     return text;
 }
 

@@ -98,8 +98,10 @@ ResultRow placeFigureRow(const Figure& figure, const SunOfPlace& of, const SunOr
 }
 
 ResultRow contributorRow(const Contribution& one) {
-    const std::string& name = one.name.empty() ? one.id : one.name;
-    return {one.id == terrainId ? QObject::tr("Terrain") : QString::fromStdString(name),
+    const QString shown = QString::fromStdString(nameOf(one));
+    return {one.id == terrainId ? QObject::tr("Terrain")
+            : one.isTree        ? QObject::tr("Tree %1", "its species or number").arg(shown)
+                                : shown,
             QObject::tr("takes %1 min of sun a day, %2 % of its shadow")
                 .arg(formatAmount(one.attributedMin), formatAmount(100 * one.share)),
             translatedSentence(attributedDefinition())};
@@ -126,8 +128,10 @@ std::vector<ResultRow> makePlaceRows(const SunOfCities& sun, std::size_t place, 
             rows.push_back(placeFigureRow(figure, of, {show, sun.baseline.possibleHours}));
     if (contributions == nullptr) return rows;
     constexpr std::size_t maximum = 8;  // the panel Contributions lists all
-    for (std::size_t i = 0; i < std::min(maximum, contributions->rows.size()); ++i)
-        rows.push_back(contributorRow(contributions->rows[i]));
+    const std::vector<Contribution> all =
+        rankWithTrees(contributions->rows, contributions->trees,
+                      chooseRankedColumn(contributions->trees, TreeColumns::seasonal));
+    for (std::size_t i = 0; i < std::min(maximum, all.size()); ++i) rows.push_back(contributorRow(all[i]));
     return rows;
 }
 
