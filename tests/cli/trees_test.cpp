@@ -205,6 +205,25 @@ TEST_F(TreesLeftOut, SunByPlaceCountsThem) {
     EXPECT_THAT(seasonal.at("repeat").get<std::string>(), HasSubstr("--tree-shade seasonal"));
 }
 
+TEST_F(TreesLeftOut, MapsByPlaceAreOfTheColumnThatIsChosen) {
+    auto question = over({"by-place", town.string(), "--trees", inventory, "--region", region});
+    for (const char* word : {"--kind", "park", "--map-trees", "seasonal"}) question.emplace_back(word);
+    const CommandOutput output = noonmarkCli(question);
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    const auto read = [&](const char* name) {
+        std::ifstream file(folder.path("by-place") / name, std::ios::binary);
+        return std::string{std::istreambuf_iterator<char>(file), {}};
+    };
+    // GeoTIFF holds the names of bands as XML, counted from 0; QGIS counts from 1.
+    const std::string raster = read("sun_by_place.tif"), style = read("sun_by_place.qml");
+    const std::size_t at = style.find("band=\"") + 6;
+    const int band = std::stoi(style.substr(at));
+    const std::size_t item = raster.find("sample=\"" + std::to_string(band - 1) + "\" role=\"description\"");
+    ASSERT_NE(item, std::string::npos) << band;
+    EXPECT_THAT(raster.substr(item, raster.find('<', item) - item), HasSubstr("trees with their seasons"));
+    EXPECT_THAT(raster, HasSubstr("trees as evergreens"));
+}
+
 TEST_F(TreesLeftOut, FilesWithoutThemSaySo) {
     expectSaid({"import", town.string(), "--out", folder.path("city.gpkg").string()},
                "a GeoPackage of buildings does not hold them");
@@ -318,6 +337,43 @@ TEST_F(TreesOfAProject, APointSeesThem) {
     const std::string drawing{std::istreambuf_iterator<char>(svg), {}};
     EXPECT_THAT(drawing, HasSubstr("fill-opacity"));
     EXPECT_THAT(drawing, HasSubstr("trees, as dense as on the day"));
+}
+
+// Of a wall, so that it has a vertical sky component.
+TEST_F(TreesOfAProject, APointStatesTheSkyThatTreesLeave) {
+    const std::vector<std::string> wall{"point",    project, "--at",     "-73.9800,40.7504",
+                                        "--height", "2",     "--facing", "45"};
+    auto asked = wall;
+    asked.insert(asked.end(), {"--all-scenarios", "--json"});
+    const CommandOutput point = noonmarkCli(asked);
+    ASSERT_EQ(point.code, exitOk) << point.err;
+    const nlohmann::json json = point.json();
+    std::vector<nlohmann::json> all{json};
+    for (const nlohmann::json& one : json.at("scenarios")) all.push_back(one);
+    ASSERT_EQ(all.size(), 3U) << "the point, the existing city and the scenario";
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const nlohmann::json& of = all[i];
+        if (i == 2 && !of.contains("svf_seasonal")) continue;  // the scenario fells what the point sees
+        for (const std::string key : {"svf", "vsc_pct"}) {
+            EXPECT_GE(of.at(key + "_evergreen"), 0) << i << key;
+            EXPECT_LE(of.at(key + "_evergreen"), of.at(key + "_seasonal")) << i << key;
+            EXPECT_LE(of.at(key + "_seasonal"), of.at(key)) << i << key;
+        }
+        EXPECT_LT(of.at("svf_evergreen"), of.at("svf")) << i;
+    }
+    EXPECT_EQ(json.at("svf_seasonal"), json.at("scenarios").at(0).at("svf_seasonal"));
+    EXPECT_GT(json.at("taken_by_tree").size(), 0U);
+    EXPECT_THAT(noonmarkCli(wall).out,
+                AllOf(HasSubstr("sky with trees"), HasSubstr("as evergreens; vertical sky")));
+}
+
+TEST_F(TreesCommand, ContributionsRankTreesWithBuildings) {
+    const CommandOutput output = study({"--trees", inventory, "--contributions"});
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    EXPECT_THAT(output.out, AllOf(HasSubstr("shaded by"), HasSubstr("tree Pinus nigra ("),
+                                  HasSubstr("(trees with their seasons)")));
+    const CommandOutput bare = study({"--contributions"});
+    EXPECT_THAT(bare.out, AllOf(HasSubstr("shaded by"), Not(HasSubstr("tree "))));
 }
 
 TEST_F(TreesOfAProject, AScoreHasThreeColumns) {

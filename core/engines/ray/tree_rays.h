@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
-#include <vector>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
@@ -60,9 +59,5 @@ struct TakenByTree {
 /// they are fewer. The same in whatever order threads work.
 Result<TakenByTree> traceTakenByTree(const City& city, const Receivers& receivers, const SunSteps& sun,
                                      Progress& progress, const std::stop_token& stop);
-
-/// The same of one place, minutes in place of min x m2, over the steps at which `shaded` is 0.
-TakenByTree takeFromPoint(const CrownScene& crowns, glm::vec3 origin, const SunSteps& sun,
-                          const std::vector<std::uint8_t>& shaded);
 
 }  // namespace noonmark

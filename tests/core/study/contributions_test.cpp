@@ -387,5 +387,72 @@ TEST(TreeContributions, TreesAddUpAndAreSoleForLess) {
     EXPECT_FALSE(studiedByTree(grove({})).byTree);
 }
 
+// North of both towers stand two trees, in one place; a third shades another place.
+TEST(PlaceContributions, TreesRankWithBuildingsAndAllAddUpToTheShadowWithTrees) {
+    SunByPlaceSettings settings;
+    settings.study = atNoon("horizon");
+    NoProgress quiet;
+    const auto sun =
+        compareSunByPlace(std::vector<NamedCity>{{"Now", grove({{40, 60}, {40, 60}, {-80, 150}})}},
+                          {square("Lawn", 18, 56, 48, 96)}, settings, quiet, {});
+    ASSERT_TRUE(sun) << sun.error().text();
+    const auto made = computePlaceContributions(*sun, 0, {}, quiet, {});
+    ASSERT_TRUE(made) << made.error().text();
+    ASSERT_EQ(made->trees.size(), 2U) << "the third does not reach it";
+    const double sunlit = sun->baseline.field.sunlitMinutesPerDay;
+    for (const SunWithTrees& with : sun->baseline.withTrees) {
+        const auto ranked = rankWithTrees(made->rows, made->trees, with.column);
+        ASSERT_EQ(ranked.size(), made->rows.size() + 2);
+        const double shadowMin = sunlit - 60 * with.sun[0].meanHours;
+        EXPECT_GT(shadowMin, sunlit - 60 * sun->baseline.sun[0].meanHours + 1);
+        EXPECT_NEAR(sumOfRows(ranked, &Contribution::attributedMin), shadowMin, 0.02 * shadowMin);
+        EXPECT_NEAR(sumOfRows(ranked, &Contribution::share), 1, 1e-9);
+        EXPECT_TRUE(std::ranges::is_sorted(ranked, std::ranges::greater{}, &Contribution::attributedMinM2));
+        EXPECT_EQ(std::ranges::count_if(ranked, &Contribution::isTree), 2);
+    }
+    EXPECT_EQ(nameOf(made->trees[0].columns[0].second), "Tilia (tree 0)");
+}
+
+TEST(PlaceContributions, TreesComeBackFromTheJsonOfTheirAnswer) {
+    const Study study = studied(grove({{40, 60}}), atNoon("horizon"));
+    const ContributionTable table = makeContributionTable(attributed(study, square("Lawn", 18, 56, 48, 96)));
+    ASSERT_EQ(table.trees.size(), 1U);
+    const std::string json = withContributions("{}", {table});
+    EXPECT_THAT(json, HasSubstr("\"attributed_min_m2_seasonal\""));
+    const auto back = parseContributions(nlohmann::ordered_json::parse(json));
+    ASSERT_EQ(back.at(0).trees.size(), 1U);
+    EXPECT_EQ(back[0].trees[0].columns.size(), 2U);
+    EXPECT_EQ(placeTreesCsv(back, {}), placeTreesCsv({table}, {}));
+    EXPECT_THAT(placeTreesCsv(back, {}), HasSubstr(",seasonal,tree 0,Tilia,"));
+    EXPECT_TRUE(back[0].trees[0].columns[0].second.isTree);
+    const ContributionTable bare = makeContributionTable(
+        attributed(studied(twoTowers(), atNoon("horizon")), square("Lawn", 18, 56, 48, 96)));
+    EXPECT_EQ(withContributions("{}", {bare}).find("\"trees\""), std::string::npos);
+}
+
+TEST(Contributions, RankTreesByWhatTheyAreChargedWithAndTheTerrainLast) {
+    const std::vector<Contribution> rows{{.id = "a", .attributedMinM2 = 50},
+                                         {.id = "b", .attributedMinM2 = 10},
+                                         {.id = terrainId, .attributedMinM2 = 20}};
+    const auto tree = [](const char* id, double evergreen, double seasonal) {
+        return TreeContribution{
+            0,
+            {{TreeColumns::evergreen, {.id = id, .attributedMinM2 = evergreen, .isTree = true}},
+             {TreeColumns::seasonal, {.id = id, .attributedMinM2 = seasonal, .isTree = true}}}};
+    };
+    const std::vector<TreeContribution> trees{tree("t", 60, 15), tree("u", 60, 5), tree("v", 8, 0)};
+    const auto idsOf = [&](TreeColumns column) {
+        std::vector<std::string> ids;
+        for (const Contribution& one : rankWithTrees(rows, trees, column)) ids.push_back(one.id);
+        return ids;
+    };
+    EXPECT_EQ(idsOf(TreeColumns::seasonal), (std::vector<std::string>{"a", "t", "b", "u", terrainId}));
+    EXPECT_EQ(idsOf(TreeColumns::evergreen), (std::vector<std::string>{"t", "u", "a", "b", "v", terrainId}));
+    EXPECT_DOUBLE_EQ(rankWithTrees(rows, trees, TreeColumns::seasonal)[0].share, 0.5);
+    EXPECT_EQ(chooseRankedColumn(trees, TreeColumns::evergreen), TreeColumns::evergreen);
+    EXPECT_EQ(chooseRankedColumn(trees, TreeColumns::without), TreeColumns::seasonal);
+    EXPECT_EQ(chooseRankedColumn({}, TreeColumns::seasonal), TreeColumns::without);
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -95,6 +95,12 @@ TEST(ElementStudy, ATreeBeforeAWallTakesItsSun) {
                 HasSubstr(",sunlit_min_evergreen,sunlit_pct_evergreen,gross_min_evergreen,"
                           "continuous_min_evergreen,longest_sun_min_evergreen,sunlit_min_03_evergreen,"));
 
+    const ElementMap seasonal = inColumn(map, TreeColumns::seasonal).value();
+    EXPECT_EQ(seasonal.elements[0].sunlitMin, map.elements[0].withTrees[1].sunlitMin);
+    EXPECT_EQ(seasonal.column, TreeColumns::seasonal);
+    EXPECT_FALSE(inColumn(seasonal, TreeColumns::seasonal)) << "it is of that column alone";
+    EXPECT_FALSE(inColumn(map, TreeColumns::without));
+
     StudySettings without = ofOneDay(aroundHouses);
     without.trees = TreeColumns::without;
     const ElementStudy bare = measure(behindATree(), {.buildings = {"Alma"}}, without).value();

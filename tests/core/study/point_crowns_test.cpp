@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <numeric>
 
 #include "core/city/trees/tree.h"
 #include "core/study/point_study.h"
@@ -127,12 +129,107 @@ TEST(PointCrowns, FilesStateThem) {
     EXPECT_EQ(json.at("trees").at("crowns").at(0).at("tree"), "tree");
     EXPECT_EQ(json.at("trees").at("in_leaf_on_the_day"), false);
     EXPECT_EQ(json.at("minutes_by_month_seasonal").size(), 12U);
+    EXPECT_LT(json.at("svf_evergreen"), json.at("svf_seasonal"));
+    EXPECT_LT(json.at("svf_seasonal"), json.at("svf"));
+    EXPECT_FALSE(json.contains("vsc_pct_seasonal")) << "it is no wall";
+    ASSERT_EQ(json.at("taken_by_tree").size(), 1U);
+    EXPECT_EQ(json.at("taken_by_tree").at(0).at("tree"), "tree");
+    EXPECT_GT(json.at("taken_by_tree").at(0).at("day_min_evergreen"),
+              json.at("taken_by_tree").at(0).at("day_min_seasonal"));
     EXPECT_LT(json.at("sunlit_min_seasonal"), study.baseline.sunlit.front().minutes());
     EXPECT_THAT(pointCsv(study),
                 testing::StartsWith("month,hour,baseline_min,baseline_min_evergreen,baseline_min_seasonal"));
     const PointStudy bare = lookAround(cityWith({}), june);
     EXPECT_FALSE(bare.baseline.crowns);
     EXPECT_FALSE(pointJson(bare, city, nullptr, zone).contains("trees"));
+}
+
+// The sky view factor below an endless slab of leaves whose optical depth upwards is `depth`: twice the
+// integral of s exp(-depth / s) over s, the sine of the altitude, from 0 to 1. That is 2 E3(depth).
+double skyBelowSlab(double depth) {
+    return std::exp(-depth) * (1 - depth) - depth * depth * std::expint(-depth);
+}
+
+TEST(PointCrowns, TheSkyBelowASlabOfLeavesIsThatOfTheClosedForm) {
+    Tree slab = cylinderAt({0, 0}, 0.5F, 0.8F);
+    slab.crownDiameterM = 4000;
+    const PointStudy study = lookAround(cityWith({slab}), june);
+    ASSERT_TRUE(study.baseline.crowns);
+    const PointCrowns& crowns = *study.baseline.crowns;
+    const double meanChordM = 2 * 2000.0 * 6 / (2000 + 6);  // 4 V / S
+    const double inLeaf = skyBelowSlab(-std::log(0.5) * 6 / meanChordM),
+                 bare = skyBelowSlab(-std::log(0.8) * 6 / meanChordM);
+    EXPECT_NEAR(study.baseline.factors.skyView, 1, 1e-6);
+    EXPECT_NEAR(crowns.skyEvergreen.skyView, inLeaf, 5e-4);
+    const double share = 214 / 365.0;  // of the days from the 106th to the 320th
+    EXPECT_NEAR(crowns.skySeasonal.skyView, share * inLeaf + (1 - share) * bare, 1.5e-3);
+    EXPECT_GT(bare - inLeaf, 0.1) << "the seasons differ";
+}
+
+// The share of a wall's light that a ball of leaves leaves, by rays in small steps: `overcast` as the CIE's.
+double lightBesideABall(glm::dvec3 middle, double radiusM, double perM, glm::dvec3 eye, bool overcast) {
+    constexpr int azimuths = 1440, altitudes = 720;
+    double sum = 0;
+    for (int i = 0; i < altitudes; ++i)
+        for (int k = 0; k < azimuths; ++k) {
+            const double altitude = std::numbers::pi / 2 * (i + 0.5) / altitudes;
+            const double azimuth = std::numbers::pi * (k + 0.5) / azimuths - std::numbers::pi / 2;
+            const glm::dvec3 ray(std::cos(altitude) * std::sin(azimuth),
+                                 -std::cos(altitude) * std::cos(azimuth), std::sin(altitude));
+            const double along = glm::dot(middle - eye, ray);
+            const double off2 = glm::dot(middle - eye, middle - eye) - along * along;
+            const double chord = off2 < radiusM * radiusM ? 2 * std::sqrt(radiusM * radiusM - off2) : 0;
+            sum +=
+                std::exp(-perM * chord) * -ray.y * std::cos(altitude) * (overcast ? (1 + 2 * ray.z) / 3 : 1);
+        }
+    sum *= std::numbers::pi / 2 / altitudes * std::numbers::pi / azimuths;
+    return overcast ? 100 * sum / (7 * std::numbers::pi / 9) : sum / std::numbers::pi;
+}
+
+TEST(PointCrowns, TheSkyBesideABallIsThatOfRays) {
+    Tree ball = cylinderAt({0.5, -5}, 0.1F, 0.7F);
+    ball.shape = CrownShape::ellipsoid;
+    const PointStudy study =
+        runPointStudy(cityWith({ball}), nullptr,
+                      {.at = here, .heightM = 1.5, .facingDeg = 180.0, .day = june, .stepMinutes = 10}, {})
+            .value();
+    ASSERT_TRUE(study.baseline.crowns);
+    const PointCrowns& crowns = *study.baseline.crowns;
+    const double perM = -std::log(0.1) / (4 * 3.0 / 3);  // 4 V / S of a ball of 3 m
+    const glm::dvec3 middle(0.5, -5, 7), eye(0, 0, 1.5);
+    EXPECT_NEAR(study.baseline.factors.skyComponentPct, 39.6, 0.1);
+    EXPECT_NEAR(crowns.skyEvergreen.skyComponentPct, lightBesideABall(middle, 3, perM, eye, true), 0.03);
+    EXPECT_NEAR(crowns.skyEvergreen.skyView, lightBesideABall(middle, 3, perM, eye, false), 3e-4);
+    EXPECT_LT(crowns.skyEvergreen.skyComponentPct, study.baseline.factors.skyComponentPct - 3);
+    EXPECT_LT(crowns.skyEvergreen.skyComponentPct, crowns.skySeasonal.skyComponentPct);
+    EXPECT_LT(crowns.skySeasonal.skyComponentPct, study.baseline.factors.skyComponentPct);
+}
+
+TEST(PointCrowns, TreesAreChargedWithWhatAllOfThemTake) {
+    const auto minutesOf = [](const MonthHours& minutes) {
+        const auto months = sumMonths(minutes);
+        return std::accumulate(months.begin(), months.end(), 0.0);
+    };
+    const City city = cityWith({cylinderAt({0, -16}, 0.1F, 0.7F), cylinderAt({0, -16}, 0.1F, 0.7F),
+                                cylinderAt({-14, -8}, 0.3F, 0.9F), cylinderAt({0, 500}, 0.1F, 0.7F)});
+    const PointStudy study = lookAround(city, december, 5);
+    const PointCrowns& crowns = *study.baseline.crowns;
+    const std::vector<TreeMinutes> trees = listTakenByTree(crowns);
+    ASSERT_EQ(trees.size(), 3U) << "one is far to the north";
+    TreeMinutes sum;
+    for (const TreeMinutes& one : trees) {
+        sum.yearSeasonal += one.yearSeasonal;
+        sum.yearEvergreen += one.yearEvergreen;
+        sum.daySeasonal += one.daySeasonal;
+    }
+    const double lit = minutesOf(study.baseline.minutes);
+    EXPECT_NEAR(sum.yearSeasonal, lit - minutesOf(crowns.seasonal), 0.01 * sum.yearSeasonal);
+    EXPECT_NEAR(sum.yearEvergreen, lit - minutesOf(crowns.evergreen), 0.01 * sum.yearEvergreen);
+    EXPECT_NEAR(sum.daySeasonal, study.baseline.sunlit.front().minutes() - crowns.daySeasonalMin, 2);
+    EXPECT_NEAR(trees[0].yearSeasonal, trees[1].yearSeasonal, 1e-9) << "of two in one place each has half";
+    EXPECT_EQ(trees[2].tree, 2U) << "the thinnest takes least";
+    EXPECT_THAT(takenText(crowns),
+                testing::ContainsRegex("^tree [0-9]+ min on the day, [0-9.]+ h in the year; "));
 }
 
 }  // namespace

@@ -8,12 +8,17 @@
 #include "app/report/book/answer_books.h"
 #include "app/report/book/flow.h"
 #include "app/report/book/print_book.h"
+#include "app/report/files/element_files.h"
+#include "app/report/sheets/answer_reports.h"
+#include "core/city/trees/tree.h"
 #include "tests/report/book/book_texts.h"
 #include "tests/report/synthetic_study.h"
 
 namespace noonmark {
 
 namespace {
+
+using testing::HasSubstr;
 
 BuildingShadow shadowOf(std::uint32_t building, double attributedM2h, double soleM2h) {
     return {building, {attributedM2h * 60 / 3, attributedM2h * 60 * 2 / 3}, {soleM2h * 60, 0}};
@@ -62,6 +67,74 @@ TEST(ContributionBook, HasTheLegendThatWasChosen) {
     EXPECT_EQ(legend.colours->ramp, Ramp::viridis);
 }
 
+// 10 m2 h of the tree by its season.
+TEST(ContributionBook, TreesHaveATableOfTheirOwn) {
+    Study study = studyWithContributions();
+    study.city.trees =
+        std::make_shared<const Trees>(Trees{.trees = {{.sourceId = "node 5", .species = "Tilia"}}});
+    study.field.trees =
+        std::make_shared<const TreeShade>(TreeShade{.evergreen = study.field, .seasonal = study.field});
+    study.byTree = TakenByTree{{{0, 20 * 60, 15 * 60}}, {{0, 10 * 60, 5 * 60}}, 1};
+    const auto rowOf = [&](TreeColumns column) {
+        const Book book = makeContributionBook(study, {.legend = {.trees = column}});
+        const auto& table = std::get<PageTable>(book.pages.back().items.back().content);
+        EXPECT_EQ(table.rows.size(), 1U);
+        const auto& row = table.rows.front();
+        return row[0] + u'|' + row[2] + u'|' + row[3];
+    };
+    EXPECT_EQ(rowOf(TreeColumns::without), QStringLiteral("Tilia (node 5)|10 m\u00b2 h|5 m\u00b2 h"));
+    EXPECT_EQ(rowOf(TreeColumns::evergreen), QStringLiteral("Tilia (node 5)|20 m\u00b2 h|15 m\u00b2 h"));
+    const Book book = makeContributionBook(study, {});
+    EXPECT_THAT(tests::textOfPage(book, book.pages.size() - 1).toStdString(),
+                HasSubstr("trees with their seasons"));
+}
+
+// Two cells: 0.5 and 0.25 without trees, 0.75 and 0.5 with their seasons.
+TEST(ScoreMap, IsOfTheColumnThatTheLegendShowsAndNamesIt) {
+    const Study study = tests::syntheticStudy();
+    Score score;
+    score.grid = {0, 0, 60, 2, 1};
+    score.score = {0.5F, 0.25F};
+    ShadedScore& with = score.withTrees.emplace_back();
+    with.column = TreeColumns::seasonal;
+    with.score = {0.75F, 0.5F};
+    const auto mapOf = [&](TreeColumns trees) {
+        LegendChoice choice;
+        choice.trees = trees;
+        return makeScoreMap(score, study.city, study.settings.region, choice);
+    };
+    const auto namesOf = [](const SheetMap& map) {
+        std::string all;
+        for (const auto& note : map.legend.notes) all += note.text.toStdString() + '|';
+        return all;
+    };
+    EXPECT_THAT(namesOf(mapOf(TreeColumns::seasonal)), HasSubstr("trees with their seasons"));
+    EXPECT_THAT(namesOf(mapOf(TreeColumns::without)), HasSubstr("without trees"));
+    EXPECT_THAT(namesOf(mapOf(TreeColumns::evergreen)), HasSubstr("without trees")) << "not measured";
+    EXPECT_GT(mapOf(TreeColumns::seasonal).legend.scale.top, mapOf(TreeColumns::without).legend.scale.top);
+    score.withTrees.clear();
+    EXPECT_THAT(namesOf(mapOf(TreeColumns::seasonal)), testing::Not(HasSubstr("trees")));
+}
+
+// A point with 60 min of shadow a day, 90 with trees as evergreens.
+TEST(ElementStyle, IsByTheColumnThatTheLegendShows) {
+    MeasuredElement element;
+    element.grossMin = 60;
+    ShadedMinutes& with = element.withTrees.emplace_back();
+    with.column = TreeColumns::evergreen;
+    with.grossMin = 90;
+    const ElementMap map{.elements = {element}, .possibleMin = 600};
+    LegendChoice choice;
+    choice.trees = TreeColumns::evergreen;
+    EXPECT_THAT(styleColumn(map, choice).qml, HasSubstr("attr=\"gross_min_evergreen\""));
+    EXPECT_THAT(makeLegend(*inColumn(map, choice.trees), ShadowMeasure::gross, choice)
+                    .notes.front()
+                    .text.toStdString(),
+                HasSubstr("trees as evergreens"));
+    choice.trees = TreeColumns::seasonal;
+    EXPECT_THAT(styleColumn(map, choice).qml, HasSubstr("attr=\"gross_min\"")) << "not measured";
+}
+
 TEST(ContributionBook, NumbersStandOnTheirBuildings) {
     const Study study = studyWithContributions();
     const Book book = makeContributionBook(study, {});
@@ -80,8 +153,6 @@ TEST(ContributionBook, NothingInShadowIsStillABook) {
     study.breakdown->terrain.reset();
     EXPECT_TRUE(printBook(makeContributionBook(study, {})));
 }
-
-using testing::HasSubstr;
 
 /// A park with 1 h of sun a day, and a lake.
 SunOfCities twoPlaces() {

@@ -186,5 +186,30 @@ TEST(SunByPlace, PlantingAnAvenueTakesSunOnlyWithTrees) {
               computeEnoughShare(planted.sun.withTrees[0].sun[0], 1));
 }
 
+// Layers of places are drawn by the column of their table that the legend shows.
+TEST(SunInColumn, IsWhatTheStyleOfPlacesIsDrawnBy) {
+    const auto sun = std::make_shared<SunOfCities>();
+    sun->baseline =
+        measureByPlace(underLeaves(), {namedPlace("Street", -10, -10, 10, 10)}, settingsOfDays(5));
+    const ElementTable table = makeTable(sun->baseline);
+    for (const ShownAs show : {ShownAs::sun, ShownAs::shadow}) {
+        PlaceColours colours;
+        colours.legend.show = show;
+        colours.legend.trees = TreeColumns::seasonal;
+        const SunShown shown = showColumn(sun, colours);
+        EXPECT_EQ(shown.colours.column, TreeColumns::seasonal);
+        EXPECT_EQ(shown.sun->baseline.sun[0].meanHours, sun->baseline.withTrees[1].sun[0].meanHours);
+        const std::string qml = makeStyle(shown.sun->baseline, shown.colours).qml;
+        const std::size_t at = qml.find("attr=\"") + 6;
+        const std::string column = qml.substr(at, qml.find('"', at) - at);
+        EXPECT_TRUE(column.ends_with("_seasonal")) << column;
+        EXPECT_EQ(std::ranges::count(table.columns, column, &ElementColumn::name), 1) << column;
+        colours.legend.trees = TreeColumns::without;
+        EXPECT_EQ(showColumn(sun, colours).sun, std::shared_ptr<const SunOfCities>(sun));
+        EXPECT_THAT(makeStyle(sun->baseline, showColumn(sun, colours).colours).qml,
+                    testing::Not(HasSubstr("_seasonal")));
+    }
+}
+
 }  // namespace
 }  // namespace noonmark
