@@ -59,9 +59,9 @@ bool needsApostrophe(std::string_view text) {
 
 }  // namespace
 
-std::string disarmFormula(const std::string& text) { return needsApostrophe(text) ? "'" + text : text; }
+std::string escapeFormula(const std::string& text) { return needsApostrophe(text) ? "'" + text : text; }
 
-std::string restoreFormula(const std::string& text) {
+std::string unescapeFormula(const std::string& text) {
     return text.starts_with('\'') && needsApostrophe(text) ? text.substr(1) : text;
 }
 
@@ -72,7 +72,7 @@ std::string quoteField(std::string_view text) {
     return quoted + '"';
 }
 
-std::string csvField(const std::string& text) { return quoteField(disarmFormula(text)); }
+std::string csvField(const std::string& text) { return quoteField(escapeFormula(text)); }
 
 namespace {
 
@@ -88,7 +88,7 @@ public:
     void quote() { quoted_ = true; }
     void lineEnds() { ++line_; }
     void endField() {
-        row_.fields.push_back(restoreFormula(quoted_ ? std::move(field_) : trimmed(field_)));
+        row_.fields.push_back(unescapeFormula(quoted_ ? std::move(field_) : trimmed(field_)));
         field_.clear();
         quoted_ = false;
     }

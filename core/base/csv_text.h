@@ -12,9 +12,9 @@ namespace noonmark {
 /// The text, with an apostrophe in front where a spreadsheet would run it as a formula: names in city files
 /// come from strangers. Signs count in their full-width and small forms, too, and behind blanks. Of texts
 /// that begin with a plus or minus only amounts stay: "-5", "+0.5", "-5 m2".
-std::string disarmFormula(const std::string& text);
-/// The text that disarmFormula() was given.
-std::string restoreFormula(const std::string& text);
+std::string escapeFormula(const std::string& text);
+/// The text that escapeFormula() was given.
+std::string unescapeFormula(const std::string& text);
 
 /// A text as a field of a CSV file, quoted if a reader would split it (RFC 4180; a semicolon or a tab
 /// separates the fields where a decimal comma is usual).
@@ -35,7 +35,7 @@ std::vector<CsvRow> parseCsvRows(std::string_view text);
 
 /// A table as CSV (RFC 4180), field by field: every table that leaves the program is written by it. Fields
 /// are separated by commas, rows end with a carriage return and a line feed; texts are disarmed
-/// (disarmFormula()) and quoted where needed; numbers have a decimal point and no separators.
+/// (escapeFormula()) and quoted where needed; numbers have a decimal point and no separators.
 class CsvText {
 public:
     /// Writes the heading.

@@ -17,23 +17,23 @@ void confineGdalFiles();
 
 /// A progress function of GDAL's, which goes on until `stop`, a pointer to a std::stop_token, requests a
 /// stop.
-int goOnUntilStopped(double share, const char* message, void* stop);
+int continueUnlessStopped(double share, const char* message, void* stop);
 
 /// While it lives, GDAL opens on this thread only files in one folder and below, and those that GDAL itself
 /// came with: a schema or an overview that a file names elsewhere stays closed.
-class FolderOfGdal {
+class GdalFolderScope {
 public:
-    explicit FolderOfGdal(const std::filesystem::path& folder);
-    ~FolderOfGdal();
-    FolderOfGdal(const FolderOfGdal&) = delete;
-    FolderOfGdal& operator=(const FolderOfGdal&) = delete;
+    explicit GdalFolderScope(const std::filesystem::path& folder);
+    ~GdalFolderScope();
+    GdalFolderScope(const GdalFolderScope&) = delete;
+    GdalFolderScope& operator=(const GdalFolderScope&) = delete;
 
     /// Whether this thread may open the file.
     [[nodiscard]] static bool admits(const std::filesystem::path& file);
 
 private:
     std::filesystem::path folder_;
-    const FolderOfGdal* outer_;
+    const GdalFolderScope* outer_;
 };
 
 /// RAII guard around calls to GDAL. It makes sure that GDAL is set up for untrusted files
@@ -58,7 +58,7 @@ public:
 
 private:
     StopScope scope_;
-    friend void keepComplaint(GdalCalls& calls, bool failure, const char* words);
+    friend void keepMessage(GdalCalls& calls, bool failure, const char* words);
     std::size_t failures_ = 0;
     std::vector<std::string> complaints_;
     std::string why_ = "no reason was given";

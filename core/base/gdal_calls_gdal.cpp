@@ -152,7 +152,7 @@ bool isPipeOrDevice(const char* name) {
            !std::filesystem::is_directory(status);
 }
 
-thread_local const FolderOfGdal* folderOfThread = nullptr;
+thread_local const GdalFolderScope* folderOfThread = nullptr;
 
 // Where GDAL keeps its tables of coordinate systems and known schemas; empty if it finds none.
 const std::filesystem::path& folderOfTables() {
@@ -175,7 +175,7 @@ public:
 
     VSIVirtualHandle* Open(const char* name, const char* access, bool setError,
                            CSLConstList options) override {
-        if (isPipeOrDevice(name) || !FolderOfGdal::admits(name)) {
+        if (isPipeOrDevice(name) || !GdalFolderScope::admits(name)) {
             CPLError(CE_Failure, CPLE_OpenFailed, "%s: only plain files beside the data are read", name);
             return nullptr;
         }
@@ -200,16 +200,16 @@ private:
 
 }  // namespace
 
-FolderOfGdal::FolderOfGdal(const std::filesystem::path& folder)
+GdalFolderScope::GdalFolderScope(const std::filesystem::path& folder)
     : folder_(std::filesystem::absolute(folder).lexically_normal()), outer_(folderOfThread) {
     if (!folder_.has_filename()) folder_ = folder_.parent_path();  // it was named with a slash at its end
     (void)folderOfTables();  // found before it is needed: GDAL looks for it among files
     folderOfThread = this;
 }
 
-FolderOfGdal::~FolderOfGdal() { folderOfThread = outer_; }
+GdalFolderScope::~GdalFolderScope() { folderOfThread = outer_; }
 
-bool FolderOfGdal::admits(const std::filesystem::path& file) {
+bool GdalFolderScope::admits(const std::filesystem::path& file) {
     if (folderOfThread == nullptr) return true;
     const auto name = std::filesystem::absolute(file).lexically_normal();
     return liesIn(folderOfThread->folder_, name) || liesIn(folderOfTables(), name);
@@ -219,7 +219,7 @@ void confineGdalFiles() {
     VSIFileManager::InstallHandler("", new PlainFiles(VSIFileManager::GetHandler("")));  // GDAL deletes it
 }
 
-void keepComplaint(GdalCalls& calls, bool failure, const char* words) {
+void keepMessage(GdalCalls& calls, bool failure, const char* words) {
     constexpr std::size_t maximum = 10000;
     const std::string text = words != nullptr ? words : "";
     if (calls.complaints_.size() < maximum) calls.complaints_.push_back(text);
@@ -230,11 +230,11 @@ void keepComplaint(GdalCalls& calls, bool failure, const char* words) {
 namespace {
 void CPL_STDCALL onComplaint(CPLErr kind, CPLErrorNum, const char* words) {
     if (kind < CE_Warning) return;
-    keepComplaint(*static_cast<GdalCalls*>(CPLGetErrorHandlerUserData()), kind >= CE_Failure, words);
+    keepMessage(*static_cast<GdalCalls*>(CPLGetErrorHandlerUserData()), kind >= CE_Failure, words);
 }
 }  // namespace
 
-int goOnUntilStopped(double /*share*/, const char* /*message*/, void* stop) {
+int continueUnlessStopped(double /*share*/, const char* /*message*/, void* stop) {
     return static_cast<const std::stop_token*>(stop)->stop_requested() ? FALSE : TRUE;
 }
 

@@ -9,7 +9,7 @@ namespace noonmark {
 /// and a tower of the next town. First view, first region, ground map, scale and haze are fitted to it.
 struct MainPart {
     Box2 box;                      ///< around all buildings but the far ones; empty without buildings
-    std::size_t farBuildings = 0;  ///< buildings that are left aside
+    std::size_t farBuildings = 0;  ///< buildings that the first view leaves out
 };
 
 /// Groups buildings that are less than some 400 m apart, and takes the groups with most footprint area until

@@ -63,16 +63,16 @@ struct FigureFacts {
     int decimals = 1;                      ///< in CSV; allDigits: as many as the value needs
     std::optional<int> jsonDecimals = {};  ///< rounded to in JSON; none: all digits
     /// Its value in saved results of versions that did not state it; none: it was always stated.
-    std::optional<double> whenMissing = {};
+    std::optional<double> valueIfMissing = {};
     FigureUnit unit = FigureUnit::none;
     FigureUse use = FigureUse::result;
     Whole whole = Whole::none;
     int shownDecimals = 1;  ///< to people; areas are shown without
     Aggregation together = Aggregation::sum;
     Better better = Better::none;
-    bool isChange = false;      ///< shown with its sign
-    bool whenPositive = false;  ///< shown only then
-    bool byThreshold = false;   ///< counts what is over a threshold
+    bool isChange = false;        ///< shown with its sign
+    bool onlyIfPositive = false;  ///< shown only then
+    bool byThreshold = false;     ///< counts what is over a threshold
     ShownWith shownWith = ShownWith::always;
     bool inTable = false;  ///< a column of the tables that show only some of the figures
     bool inFiles = true;   ///< false: only people read it; it follows from others

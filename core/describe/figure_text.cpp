@@ -89,7 +89,7 @@ std::vector<FigureLine> listLines(const DescribedFigures& figures, FigureUse use
     for (const Figure& figure : figures.figures) {
         const double value = figures.get(figure);
         if (figure.use != use || !isShownAs(figure, context.show) ||
-            (context.isInstant && isTime(figure.unit)) || (figure.whenPositive && !(value > 0)))
+            (context.isInstant && isTime(figure.unit)) || (figure.onlyIfPositive && !(value > 0)))
             continue;
         lines.push_back({&figure, value, computeShare(figure, value, context)});
     }
@@ -194,7 +194,7 @@ Json definitionsJson(std::span<const Figure> figures) {
 }
 
 double figures::readFigure(const Figure& figure, const Json& json) {
-    if (figure.whenMissing && !json.contains(figure.key)) return *figure.whenMissing;
+    if (figure.valueIfMissing && !json.contains(figure.key)) return *figure.valueIfMissing;
     const Json& value = json.at(std::string(figure.key));
     if (figure.isCount) return double(wholeNumberFrom<std::size_t>(value));
     return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();

@@ -153,8 +153,8 @@ Result<ShadowBreakdown> AutoEngine::computeBreakdown(const City& city, const Rec
 }
 
 // An exact engine always: the sweep rounds azimuths, and what enters a place at which minute shows it.
-std::string_view AutoEngine::nameOfMasks(std::span<const City* const> cities,
-                                         const Receivers& receivers) const {
+std::string_view AutoEngine::stepMaskEngineName(std::span<const City* const> cities,
+                                                const Receivers& receivers) const {
     return isLevel(cities, receivers) ? ProjectedShadows().name() : RayReference().name();
 }
 

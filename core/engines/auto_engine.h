@@ -61,8 +61,8 @@ public:
     [[nodiscard]] std::optional<EngineChoice> choose(std::span<const City* const> cities,
                                                      const Receivers& receivers,
                                                      const SunSteps& sun) const override;
-    [[nodiscard]] std::string_view nameOfMasks(std::span<const City* const> cities,
-                                               const Receivers& receivers) const override;
+    [[nodiscard]] std::string_view stepMaskEngineName(std::span<const City* const> cities,
+                                                      const Receivers& receivers) const override;
     /// The ray reference, which takes every case; none where it, or the user, ended the work.
     [[nodiscard]] std::optional<EngineChoice> chooseInstead(const EngineChoice& failed,
                                                             const Error& error) const override;

@@ -15,7 +15,7 @@ EngineEntry rayReference() {
     return {
         {referenceEngine, NM_TEXT("Ray reference"),
          NM_TEXT(
-             "One ray per receiver and step, traced by Embree: the truth that others are measured against"),
+             "One ray per receiver and step, traced by Embree: the reference for the errors of the others"),
          RayReference::able},
         [](const EngineSettings&) -> Made { return std::make_unique<RayReference>(); }};
 }
@@ -29,14 +29,13 @@ EngineEntry projectedShadows() {
 }
 
 EngineEntry horizonSweep() {
-    return engineOf(
-        {"horizon", NM_TEXT("Horizon sweep"),
-         NM_TEXT(
-             "The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on terrain and "
-             "roofs too"),
-         HorizonSweep::able, 24},
-        sweepFields(),
-        [](const HorizonSweepSettings& settings) { return std::make_unique<HorizonSweep>(settings); });
+    return engineOf({"horizon", NM_TEXT("Horizon sweep"),
+                     NM_TEXT("The slope of each receiver's horizon, azimuth by azimuth: a year takes "
+                             "seconds, on terrain and roofs too"),
+                     HorizonSweep::able, 24},
+                    sweepFields(), [](const HorizonSweepSettings& settings) {
+                        return std::make_unique<HorizonSweep>(settings);
+                    });
 }
 
 EngineEntry autoEngine() {

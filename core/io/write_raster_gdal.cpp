@@ -76,7 +76,7 @@ bool addOverviews(GDALDataset& dataset, const Grid& grid, std::stop_token stop) 
         factors.push_back(factor);
     if (factors.empty()) return true;
     return dataset.BuildOverviews("AVERAGE", int(factors.size()), factors.data(), 0, nullptr,
-                                  goOnUntilStopped, &stop) == CE_None;
+                                  continueUnlessStopped, &stop) == CE_None;
 }
 
 }  // namespace

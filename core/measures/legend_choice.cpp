@@ -168,7 +168,7 @@ LegendChoice showAs(const LegendChoice& choice, ShownAs as, double sunlitMin) {
 }
 
 Sentence nameColumn(TreeColumns trees) {
-    if (trees == TreeColumns::without) return {NM_TEXT("This is without trees.")};
+    if (trees == TreeColumns::without) return {NM_TEXT("Trees are not included.")};
     return {trees == TreeColumns::evergreen ? NM_TEXT("This is with trees as evergreens.")
                                             : NM_TEXT("This is with trees by their seasons.")};
 }

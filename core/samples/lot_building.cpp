@@ -89,7 +89,7 @@ Plan insetPlan(LotSize lot, double insetM) {
 Plan roundPlan(LotSize lot, double radiusM, int sides) {
     StreetPolygon outline;
     for (int i = 0; i < sides; ++i) {
-        const auto [sine, cosine] = sameSineCosine(double(i) / sides);
+        const auto [sine, cosine] = portableSineCosine(double(i) / sides);
         outline.emplace_back(lot.width / 2 + radiusM * cosine, lot.depth / 2 + radiusM * sine);
     }
     return {outline};

@@ -31,14 +31,14 @@ private:
 };
 
 /// e^x for |x| <= 20 to 12 digits, computed with + * and / only: the same bits on every machine.
-double sameExp(double x);
+double portableExp(double x);
 
 struct SineCosine {
     double sine;
     double cosine;
 };
 /// Sine and cosine of a share of the full turn, -1 to 1, to 12 digits; the same bits on every machine.
-SineCosine sameSineCosine(double turns);
+SineCosine portableSineCosine(double turns);
 
 /// A lot in a block. Its front is on the street to the south or to the north.
 struct Lot {

@@ -27,10 +27,10 @@ double SampleRandom::uniform() { return double(engine_()) * 0x1p-32; }
 double SampleRandom::logNormal(double median, double sigma) {
     double normal = -6;
     for (int i = 0; i < 12; ++i) normal += uniform();
-    return median * sameExp(sigma * normal);
+    return median * portableExp(sigma * normal);
 }
 
-double sameExp(double x) {
+double portableExp(double x) {
     constexpr int halvings = 10;
     const double small = x / (1 << halvings);
     double sum = 1;
@@ -39,7 +39,7 @@ double sameExp(double x) {
     return sum;
 }
 
-SineCosine sameSineCosine(double turns) {
+SineCosine portableSineCosine(double turns) {
     // Taylor's series for an eighth of the angle, then doubled three times.
     const double angle = turns * std::numbers::pi / 4;
     double sine = 1, cosine = 1;

@@ -68,7 +68,7 @@ Result<PlaceStudy> computePlaceStudy(const City& baseline, const City* scenario,
     if (!period) return tl::make_unexpected(period.error());
     const auto sun = computeDaylightSteps(*period, observerOfPlaces(baseline), stop);
     if (!sun) return tl::make_unexpected(sun.error());
-    PlaceStudy study{.engine = std::string(engine.nameOfMasks(cities, cells->receivers)),
+    PlaceStudy study{.engine = std::string(engine.stepMaskEngineName(cities, cells->receivers)),
                      .cellM = settings.cellM};
     study.stepMinutes = sun->stepMinutes;
     for (const Place& place : places) study.places.push_back({.place = place});

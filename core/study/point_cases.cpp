@@ -33,12 +33,12 @@ PointCaseFigures figuresOf(const std::string& name, const PointStudy& study) {
 
 }  // namespace
 
-Result<std::vector<PointCaseFigures>> measurePointCases(const std::vector<PointCase>& cases,
+Result<std::vector<PointCaseFigures>> measurePointCases(const std::vector<PointScenario>& cases,
                                                         const PointQuestion& question,
                                                         const std::stop_token& stop) {
     std::vector<PointCaseFigures> measured;
     std::optional<glm::vec3> position;
-    for (const PointCase& one : cases) {
+    for (const PointScenario& one : cases) {
         if (stop.stop_requested()) return cancelled();
         const auto study = runPointStudy(*one.city, nullptr, question, stop);
         if (!study && (!position || isCancelled(study.error()))) return tl::make_unexpected(study.error());
@@ -184,7 +184,7 @@ const Building* findOverhangAt(const City& city, glm::dvec3 place) {
 
 }  // namespace
 
-Result<SettledPoint> settlePoint(const City& city, const PointQuestion& question) {
+Result<LocatedPoint> settlePoint(const City& city, const PointQuestion& question) {
     const glm::dvec2 place = city.frame.localFromLonLat(question.at);
     const Observer observer = placeObserver(city, place);
     const double ground = double(groundAt(city, place));
@@ -202,7 +202,7 @@ Result<SettledPoint> settlePoint(const City& city, const PointQuestion& question
         return failure(fmt::format("The point is inside an overhang of the building {}", nameOf(*overhang)),
                        fmt::format("{:.6f},{:.6f}", question.at.lonDeg, question.at.latDeg),
                        "Choose a height below it or above it");
-    return SettledPoint{{glm::vec3(glm::dvec3(place, height)), normalOf(question, observer)}, onRoof};
+    return LocatedPoint{{glm::vec3(glm::dvec3(place, height)), normalOf(question, observer)}, onRoof};
 }
 
 }  // namespace noonmark

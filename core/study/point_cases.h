@@ -11,7 +11,7 @@
 namespace noonmark {
 
 /// A city in which a point is measured: that of a scenario.
-struct PointCase {
+struct PointScenario {
     std::string name;
     std::shared_ptr<const City> city;  ///< not null
 };
@@ -35,7 +35,7 @@ struct PointCaseFigures {
 /// Measures the point in each city, in their order. It must be in the same place as in the first one, else
 /// `why` says so. Error: what runPointStudy() refuses in the first city, cancelled(). In Midtown 0.14 s a
 /// city.
-Result<std::vector<PointCaseFigures>> measurePointCases(const std::vector<PointCase>& cases,
+Result<std::vector<PointCaseFigures>> measurePointCases(const std::vector<PointScenario>& cases,
                                                         const PointQuestion& question,
                                                         const std::stop_token& stop);
 
@@ -44,13 +44,13 @@ Result<std::vector<PointCaseFigures>> measurePointCases(const std::vector<PointC
 std::vector<SeasonOfLoss> findLosses(const ShadedSteps& before, const ShadedSteps& after, const SunSteps& sun,
                                      const Zone& zone);
 
-struct SettledPoint {
+struct LocatedPoint {
     SkyPoint point;
     bool onRoof = false;
 };
 
 /// Where the point of a question is in a city: on the ground or the roof, or at its height. Its normal is
 /// level towards `facingDeg`, or up. Error: it is inside a building or an overhang. O(parts).
-Result<SettledPoint> settlePoint(const City& city, const PointQuestion& question);
+Result<LocatedPoint> settlePoint(const City& city, const PointQuestion& question);
 
 }  // namespace noonmark

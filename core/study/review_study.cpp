@@ -208,7 +208,7 @@ Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City
         {},
         std::move(timelines),
         {},
-        std::string(engine.nameOfMasks(scene.cities(), scene.receivers.receivers)),
+        std::string(engine.stepMaskEngineName(scene.cities(), scene.receivers.receivers)),
         days.clock.text(),
         days.year,
         days.sun.stepMinutes,

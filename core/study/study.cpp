@@ -48,7 +48,7 @@ Result<void> breakDown(Study& study, const EngineInUse& engine, Progress& progre
     if (!wantsBreakdown(study.settings)) return {};
     const bool byBuilding = study.settings.contributions;
     const StepSets sets = study.settings.byMonth ? monthsOf(study.sun) : makeOneSet(study.sun);
-    if (byBuilding && engine.sumsByBuildingLessClosely())
+    if (byBuilding && engine.attributionIsLessExact())
         study.warnings.push_back(
             {WarningKind::assumed,
              fmt::format("{} are those of the horizon sweep, which a sample shows to be off here",
@@ -117,7 +117,7 @@ Result<void> measureError(Study& study, Progress& progress, const std::stop_toke
 }
 
 bool goesOn(const Study& study, EngineInUse& engine) {
-    return study.error && engine.switchToCloser(study.error->grossOff());
+    return study.error && engine.switchToMoreExact(study.error->grossOff());
 }
 
 // Of all months together, on a quarter of the sample.

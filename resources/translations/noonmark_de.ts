@@ -2002,7 +2002,7 @@ Alle Seiten %2, Fläche %3</translation>
         <translation>Anteil, %</translation>
     </message>
     <message>
-        <source>Of what the new buildings add alone, all together</source>
+        <source>Share of the sum of what each new building adds alone</source>
         <translation>An dem, was die neuen Gebäude jeweils allein hinzufügen, alle zusammen</translation>
     </message>
     <message>
@@ -4204,7 +4204,7 @@ Opens the panel Review.</source>
         <translation>Zellen kleiner Orte</translation>
     </message>
     <message>
-        <source>Size of the cells of places with fewer than 25 cells, m; as large as the others or larger: the same</source>
+        <source>Size of the cells of places with fewer than 25 cells, m; no effect if it is not smaller than that of the others</source>
         <translation>Größe der Zellen von Orten mit weniger als 25 Zellen, m; so groß wie die anderen oder größer: dieselbe</translation>
     </message>
     <message>
@@ -4212,7 +4212,7 @@ Opens the panel Review.</source>
         <translation>Strahlreferenz</translation>
     </message>
     <message>
-        <source>One ray per receiver and step, traced by Embree: the truth that others are measured against</source>
+        <source>One ray per receiver and step, traced by Embree: the reference for the errors of the others</source>
         <translation>Ein Strahl je Messpunkt und Schritt, mit Embree verfolgt: die Wahrheit, an der die anderen gemessen werden</translation>
     </message>
     <message>
@@ -4228,7 +4228,7 @@ Opens the panel Review.</source>
         <translation>Horizontverfahren</translation>
     </message>
     <message>
-        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year takes seconds, on terrain and roofs too</source>
         <translation>Die Neigung des Horizonts jedes Messpunkts, Azimut für Azimut: ein Jahr in Augenblicken, auch auf Gelände und Dächern</translation>
     </message>
     <message>
@@ -4284,7 +4284,7 @@ Opens the panel Review.</source>
         <translation>Fehlerziel</translation>
     </message>
     <message>
-        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <source>Target for the mean error of a cell&apos;s gross shadow, of the period. Halving it doubles the time of a run</source>
         <translation>Mittlerer Fehler des Gesamtschattens einer Zelle, vom Zeitraum: die Azimutklassen sind so breit, wie er zulässt; der halbe Fehler dauert doppelt so lange</translation>
     </message>
     <message>
@@ -5164,7 +5164,7 @@ Opens the panel Review.</source>
         <translation>Minuten Schatten am Tag nach Monat</translation>
     </message>
     <message>
-        <source>%1 spares it %2 of shadow a day, at most %3 at one spot.</source>
+        <source>%1 reduces its shadow by %2 a day, at most %3 at one spot.</source>
         <translation>%1 erspart ihm %2 Schatten am Tag, höchstens %3 an einer Stelle.</translation>
     </message>
     <message>
@@ -5268,7 +5268,7 @@ Opens the panel Review.</source>
         <translation>ein Baum weit von den Gebäuden: seine Länge und Breite sind vertauscht</translation>
     </message>
     <message>
-        <source>This is without trees.</source>
+        <source>Trees are not included.</source>
         <translation>Dies ist ohne Bäume.</translation>
     </message>
     <message>
@@ -6200,7 +6200,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Shift+L</translation>
     </message>
     <message>
-        <source>Shows what a building changes while it is designed or changed, compared with the baseline, instead of the shadow with it</source>
+        <source>While a building is edited: show the change against the baseline instead of all shadow</source>
         <translation>Zeigt, was ein Gebäude gegenüber der Ausgangslage ändert, während es entworfen oder geändert wird, statt des Schattens mit ihm</translation>
     </message>
     <message>
@@ -7832,7 +7832,7 @@ Niedrigstes %3, Median %4, höchstes %5.</numerusform>
         <translation>Allein öffnen</translation>
     </message>
     <message numerus="yes">
-        <source>%1 far building(s) left aside.</source>
+        <source>%1 far building(s) left out of the first view.</source>
         <translation>
             <numerusform>%1 fernes Gebäude bleibt außer Acht.</numerusform>
             <numerusform>%1 ferne Gebäude bleiben außer Acht.</numerusform>
@@ -8481,7 +8481,7 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>%1. Eine gespeicherte Antwort nennt ihre Tage als Sonne</translation>
     </message>
     <message>
-        <source>Whether trees take their share of the sun of table, map and headline</source>
+        <source>Which trees count in the table, the map and the headline</source>
         <translation>Ob Bäume in Tabelle, Karte und Überschrift ihren Anteil der Sonne nehmen</translation>
     </message>
     <message>
@@ -8619,7 +8619,7 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Mitte</translation>
     </message>
     <message>
-        <source>%1: an earlier edition stands as %2. Reload replaces it where it stands; Build adds another.</source>
+        <source>%1: an earlier version of this file is in the scenario as %2. Reload replaces it; Build adds another.</source>
         <translation>%1: eine frühere Ausgabe steht als %2. Neu laden ersetzt sie an ihrem Platz; Bauen fügt eine weitere hinzu.</translation>
     </message>
 </context>
@@ -9316,7 +9316,7 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
         </translation>
     </message>
     <message>
-        <source>What buildings take from %1</source>
+        <source>Contributions to the shadow on %1</source>
         <translation>Was Gebäude %1 nehmen</translation>
     </message>
     <message>
@@ -9388,7 +9388,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Wie dies entstand</translation>
     </message>
     <message>
-        <source>Period, engine, error, time, and the command that asks the same</source>
+        <source>Period, engine, error, time, and the command that repeats this result</source>
         <translation>Zeitraum, Verfahren, Fehler, Zeit und der Befehl, der dasselbe fragt</translation>
     </message>
     <message>
@@ -10055,7 +10055,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>nicht gezählt</translation>
     </message>
     <message>
-        <source>base missing</source>
+        <source>starting scenario missing</source>
         <translation>Ausgangslage fehlt</translation>
     </message>
     <message>

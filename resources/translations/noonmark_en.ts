@@ -300,10 +300,10 @@ Lowest %3, median %4, tallest %5.</numerusform>
 <context>
     <name>noonmark::OpeningActions</name>
     <message numerus="yes">
-        <source>%1 far building(s) left aside.</source>
+        <source>%1 far building(s) left out of the first view.</source>
         <translation>
-            <numerusform>%1 far building left aside.</numerusform>
-            <numerusform>%1 far buildings left aside.</numerusform>
+            <numerusform>%1 far building left out of the first view.</numerusform>
+            <numerusform>%1 far buildings left out of the first view.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

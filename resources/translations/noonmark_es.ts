@@ -2002,7 +2002,7 @@ Todos los lados %2, área %3</translation>
         <translation>Parte, %</translation>
     </message>
     <message>
-        <source>Of what the new buildings add alone, all together</source>
+        <source>Share of the sum of what each new building adds alone</source>
         <translation>De lo que los edificios nuevos añaden por sí solos, todos juntos</translation>
     </message>
     <message>
@@ -4204,7 +4204,7 @@ Abre el panel Evaluación.</translation>
         <translation>Celdas de lugares pequeños</translation>
     </message>
     <message>
-        <source>Size of the cells of places with fewer than 25 cells, m; as large as the others or larger: the same</source>
+        <source>Size of the cells of places with fewer than 25 cells, m; no effect if it is not smaller than that of the others</source>
         <translation>Tamaño de las celdas de lugares con menos de 25 celdas, m; tan grande como las demás o mayor: el mismo</translation>
     </message>
     <message>
@@ -4212,7 +4212,7 @@ Abre el panel Evaluación.</translation>
         <translation>Referencia por rayos</translation>
     </message>
     <message>
-        <source>One ray per receiver and step, traced by Embree: the truth that others are measured against</source>
+        <source>One ray per receiver and step, traced by Embree: the reference for the errors of the others</source>
         <translation>Un rayo por receptor y paso, trazado con Embree: la verdad con la que se miden los demás</translation>
     </message>
     <message>
@@ -4228,7 +4228,7 @@ Abre el panel Evaluación.</translation>
         <translation>Barrido de horizontes</translation>
     </message>
     <message>
-        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year takes seconds, on terrain and roofs too</source>
         <translation>La pendiente del horizonte de cada receptor, acimut a acimut: un año en un momento, también en terreno y cubiertas</translation>
     </message>
     <message>
@@ -4284,7 +4284,7 @@ Abre el panel Evaluación.</translation>
         <translation>Error objetivo</translation>
     </message>
     <message>
-        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <source>Target for the mean error of a cell&apos;s gross shadow, of the period. Halving it doubles the time of a run</source>
         <translation>Error medio de la sombra total de una celda, del periodo: los intervalos de acimut son tan anchos como permite; la mitad tarda el doble</translation>
     </message>
     <message>
@@ -5164,7 +5164,7 @@ Abre el panel Evaluación.</translation>
         <translation>Minutos de sombra al día por mes</translation>
     </message>
     <message>
-        <source>%1 spares it %2 of shadow a day, at most %3 at one spot.</source>
+        <source>%1 reduces its shadow by %2 a day, at most %3 at one spot.</source>
         <translation>%1 le quita %2 de sombra al día, como máximo %3 en un punto.</translation>
     </message>
     <message>
@@ -5268,7 +5268,7 @@ Abre el panel Evaluación.</translation>
         <translation>un árbol lejos de los edificios: su longitud y latitud están intercambiadas</translation>
     </message>
     <message>
-        <source>This is without trees.</source>
+        <source>Trees are not included.</source>
         <translation>Esto es sin árboles.</translation>
     </message>
     <message>
@@ -6200,7 +6200,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Shift+L</translation>
     </message>
     <message>
-        <source>Shows what a building changes while it is designed or changed, compared with the baseline, instead of the shadow with it</source>
+        <source>While a building is edited: show the change against the baseline instead of all shadow</source>
         <translation>Muestra lo que cambia un edificio respecto a la referencia mientras se diseña o se modifica, en lugar de la sombra con él</translation>
     </message>
     <message>
@@ -7832,7 +7832,7 @@ El más bajo %3, mediana %4, el más alto %5.</numerusform>
         <translation>Abrir solo</translation>
     </message>
     <message numerus="yes">
-        <source>%1 far building(s) left aside.</source>
+        <source>%1 far building(s) left out of the first view.</source>
         <translation>
             <numerusform>%1 edificio lejano dejado aparte.</numerusform>
             <numerusform>%1 edificios lejanos dejados aparte.</numerusform>
@@ -8481,7 +8481,7 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>%1. Una respuesta guardada indica sus fechas como sol</translation>
     </message>
     <message>
-        <source>Whether trees take their share of the sun of table, map and headline</source>
+        <source>Which trees count in the table, the map and the headline</source>
         <translation>Si los árboles restan su parte del sol en la tabla, el mapa y el titular</translation>
     </message>
     <message>
@@ -8619,7 +8619,7 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Centro</translation>
     </message>
     <message>
-        <source>%1: an earlier edition stands as %2. Reload replaces it where it stands; Build adds another.</source>
+        <source>%1: an earlier version of this file is in the scenario as %2. Reload replaces it; Build adds another.</source>
         <translation>%1: una edición anterior está como %2. Recargar la sustituye en su sitio; Construir añade otra.</translation>
     </message>
 </context>
@@ -9316,7 +9316,7 @@ No: en el origen de la ciudad de los demás archivos.</translation>
         </translation>
     </message>
     <message>
-        <source>What buildings take from %1</source>
+        <source>Contributions to the shadow on %1</source>
         <translation>Qué quitan los edificios a %1</translation>
     </message>
     <message>
@@ -9388,7 +9388,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>Cómo se obtuvo</translation>
     </message>
     <message>
-        <source>Period, engine, error, time, and the command that asks the same</source>
+        <source>Period, engine, error, time, and the command that repeats this result</source>
         <translation>Periodo, motor, error, tiempo y el comando que pregunta lo mismo</translation>
     </message>
     <message>
@@ -10055,7 +10055,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>no contada</translation>
     </message>
     <message>
-        <source>base missing</source>
+        <source>starting scenario missing</source>
         <translation>falta la base</translation>
     </message>
     <message>

@@ -1979,7 +1979,7 @@ All sides %2, area %3</source>
         <translation>割合、%</translation>
     </message>
     <message>
-        <source>Of what the new buildings add alone, all together</source>
+        <source>Share of the sum of what each new building adds alone</source>
         <translation>新築建物がそれぞれ単独で加える影の合計に対する割合</translation>
     </message>
     <message>
@@ -4174,7 +4174,7 @@ Opens the panel Review.</source>
         <translation>小さな場所のセル</translation>
     </message>
     <message>
-        <source>Size of the cells of places with fewer than 25 cells, m; as large as the others or larger: the same</source>
+        <source>Size of the cells of places with fewer than 25 cells, m; no effect if it is not smaller than that of the others</source>
         <translation>25 セル未満の場所のセルの大きさ、m。ほかと同じかそれ以上なら同じ</translation>
     </message>
     <message>
@@ -4182,7 +4182,7 @@ Opens the panel Review.</source>
         <translation>レイ基準</translation>
     </message>
     <message>
-        <source>One ray per receiver and step, traced by Embree: the truth that others are measured against</source>
+        <source>One ray per receiver and step, traced by Embree: the reference for the errors of the others</source>
         <translation>測定点とステップごとに Embree で追跡するレイ 1 本: 他を測る基準</translation>
     </message>
     <message>
@@ -4198,7 +4198,7 @@ Opens the panel Review.</source>
         <translation>地平線掃引</translation>
     </message>
     <message>
-        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year takes seconds, on terrain and roofs too</source>
         <translation>各測定点の地平線の傾きを方位ごとに: 1 年も短時間、地形や屋根でも</translation>
     </message>
     <message>
@@ -4254,7 +4254,7 @@ Opens the panel Review.</source>
         <translation>目標誤差</translation>
     </message>
     <message>
-        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <source>Target for the mean error of a cell&apos;s gross shadow, of the period. Halving it doubles the time of a run</source>
         <translation>セルの累計日影の平均誤差 (期間に対する割合): 方位の刻みはこれが許す幅になります。半分にすると時間は 2 倍</translation>
     </message>
     <message>
@@ -5134,7 +5134,7 @@ Opens the panel Review.</source>
         <translation>月ごとの 1 日の影 (分)</translation>
     </message>
     <message>
-        <source>%1 spares it %2 of shadow a day, at most %3 at one spot.</source>
+        <source>%1 reduces its shadow by %2 a day, at most %3 at one spot.</source>
         <translation>%1 により影は 1 日 %2 減り、最大は一地点で %3 です。</translation>
     </message>
     <message>
@@ -5238,7 +5238,7 @@ Opens the panel Review.</source>
         <translation>建物から遠い樹木: 経度と緯度が入れ替わっています</translation>
     </message>
     <message>
-        <source>This is without trees.</source>
+        <source>Trees are not included.</source>
         <translation>樹木は含みません。</translation>
     </message>
     <message>
@@ -6167,7 +6167,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>Shift+L</translation>
     </message>
     <message>
-        <source>Shows what a building changes while it is designed or changed, compared with the baseline, instead of the shadow with it</source>
+        <source>While a building is edited: show the change against the baseline instead of all shadow</source>
         <translation>設計中または変更中の建物について、影全体の代わりに、比較の基準からの変化を示します</translation>
     </message>
     <message>
@@ -7792,7 +7792,7 @@ Lowest %3, median %4, tallest %5.</source>
         <translation>単独で開く</translation>
     </message>
     <message numerus="yes">
-        <source>%1 far building(s) left aside.</source>
+        <source>%1 far building(s) left out of the first view.</source>
         <translation>
             <numerusform>遠くの建物 %1 棟を除外しています。</numerusform>
         </translation>
@@ -8433,7 +8433,7 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>%1。保存された回答の日付は日照で示されます</translation>
     </message>
     <message>
-        <source>Whether trees take their share of the sun of table, map and headline</source>
+        <source>Which trees count in the table, the map and the headline</source>
         <translation>表・地図・見出しで樹木が日照を遮るかどうか</translation>
     </message>
     <message>
@@ -8571,7 +8571,7 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>中心</translation>
     </message>
     <message>
-        <source>%1: an earlier edition stands as %2. Reload replaces it where it stands; Build adds another.</source>
+        <source>%1: an earlier version of this file is in the scenario as %2. Reload replaces it; Build adds another.</source>
         <translation>%1: 以前の版が %2 として建っています。「再読み込み」はその場で置き換え、「建設」はもう一つ追加します。</translation>
     </message>
 </context>
@@ -9267,7 +9267,7 @@ Off: at the origin of the city from the other files.</source>
         </translation>
     </message>
     <message>
-        <source>What buildings take from %1</source>
+        <source>Contributions to the shadow on %1</source>
         <translation>%1 から建物が奪う日照</translation>
     </message>
     <message>
@@ -9339,7 +9339,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>計算の方法</translation>
     </message>
     <message>
-        <source>Period, engine, error, time, and the command that asks the same</source>
+        <source>Period, engine, error, time, and the command that repeats this result</source>
         <translation>期間、エンジン、誤差、時間、同じ検討を行うコマンド</translation>
     </message>
     <message>
@@ -10003,7 +10003,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>未集計</translation>
     </message>
     <message>
-        <source>base missing</source>
+        <source>starting scenario missing</source>
         <translation>元のシナリオなし</translation>
     </message>
     <message>

@@ -71,7 +71,7 @@ Result<CopiedMassing> copyMassing(const Footprint& from, const MassingSettings& 
 
 namespace {
 
-Result<void> validate(const Footprint& lot, const MassConstraint& given, double plateFactor) {
+Result<void> validate(const Footprint& lot, const PreservedFloorArea& given, double plateFactor) {
     if (!(plateFactor > 0))
         return failure(fmt::format("A floor plate cannot be {:g} times as large", plateFactor), "variant",
                        "Give a factor over 0");
@@ -102,24 +102,24 @@ Plate plateOf(const Building& building, double groundM, double storeyHeightM) {
 
 }  // namespace
 
-MassConstraint massOf(const Massing& massing) {
+PreservedFloorArea massOf(const Massing& massing) {
     return {massing.tiers.front().plate, massing.figures.grossFloorM2, massing.storeyHeightM};
 }
 
-Result<MassConstraint> massOf(const Building& building, double groundM, double storeyHeightM) {
+Result<PreservedFloorArea> massOf(const Building& building, double groundM, double storeyHeightM) {
     if (!(storeyHeightM >= 2 && storeyHeightM <= 10))
         return failure(fmt::format("A storey cannot be {:g} m high", storeyHeightM), "variant",
                        "Give 2 to 10 m");
     const FloorArea floors = computeFloorArea(building, groundM, storeyHeightM);
-    MassConstraint given{.plate = plateOf(building, groundM, storeyHeightM),
-                         .grossFloorM2 = floors.grossM2,
-                         .storeyHeightM = storeyHeightM,
-                         .estimatedStoreys = floors.estimatedStoreys};
+    PreservedFloorArea given{.plate = plateOf(building, groundM, storeyHeightM),
+                             .grossFloorM2 = floors.grossM2,
+                             .storeyHeightM = storeyHeightM,
+                             .estimatedStoreys = floors.estimatedStoreys};
     if (given.grossFloorM2 > 0 && !given.plate.empty()) return given;
     return failure("The building has less than one storey", building.sourceId, "Choose another building");
 }
 
-Result<Massing> findSameFloorArea(const Footprint& lot, const MassConstraint& given, double plateFactor) {
+Result<Massing> findSameFloorArea(const Footprint& lot, const PreservedFloorArea& given, double plateFactor) {
     if (const auto sound = validate(lot, given, plateFactor); !sound)
         return tl::make_unexpected(sound.error());
     const bool wider = plateFactor > 1;

@@ -26,18 +26,18 @@ Result<CopiedMassing> copyMassing(const Footprint& from, const MassingSettings& 
                                   const Footprint& to);
 
 /// What a reshaped massing must preserve.
-struct MassConstraint {
+struct PreservedFloorArea {
     Plate plate;              ///< where the building touches the ground
     double grossFloorM2 = 0;  ///< preserved
     double storeyHeightM = defaultStoreyM;
     int estimatedStoreys = 0;  ///< of open meshes (core/city/meshes/mesh_section.h)
 };
 
-MassConstraint massOf(const Massing& massing);
+PreservedFloorArea massOf(const Massing& massing);
 
 /// Cuts an existing building into storeys of `storeyHeightM` (2 to 10), starting at `groundM` (local z)
 /// (core/city/footprints/plan_areas.h). Error: it has less than one storey.
-Result<MassConstraint> massOf(const Building& building, double groundM, double storeyHeightM);
+Result<PreservedFloorArea> massOf(const Building& building, double groundM, double storeyHeightM);
 
 /// Plate factor for "the largest plate that the lot allows".
 inline constexpr double largestPlate = std::numeric_limits<double>::infinity();
@@ -49,6 +49,6 @@ inline constexpr double largestPlate = std::numeric_limits<double>::infinity();
 /// whole lot. The plate area is then adjusted so that the number of storeys is whole. Error: a factor of 0 or
 /// less, a plate outside the lot, or more than 500 storeys or 2000 m; the last one states the smallest
 /// possible plate.
-Result<Massing> findSameFloorArea(const Footprint& lot, const MassConstraint& given, double plateFactor);
+Result<Massing> findSameFloorArea(const Footprint& lot, const PreservedFloorArea& given, double plateFactor);
 
 }  // namespace noonmark

@@ -219,7 +219,7 @@ Result<void> ProjectFile::save(const Project& project) {
         migrate(database);
         checkTables(database);
         removeSpatialIndexes(database);
-        takeTablesBack(database);
+        restoreTableDefinitions(database);
         writeChanges(database, &project_, project);
         noteSave(database, saves_ + 1);
         transaction.commit();

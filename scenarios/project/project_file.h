@@ -42,7 +42,7 @@ public:
     [[nodiscard]] const Project& project() const { return project_; }  ///< as on disk
     /// The city of project() with what the file refers to and does not hold, such as the pixels of a picture
     /// of the ground. Not null; the same buildings. It is not written.
-    void setCityAtHand(std::shared_ptr<const City> city) { project_.city = std::move(city); }
+    void setCityWithPictures(std::shared_ptr<const City> city) { project_.city = std::move(city); }
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] std::int64_t saves() const { return saves_; }  ///< number of saves so far, at least 1
     [[nodiscard]] const std::string& id() const {

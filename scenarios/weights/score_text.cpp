@@ -28,7 +28,7 @@ Figure weightedShade() {
          .definition =
              NM_TEXT("sum over the steps of weight x hours in shadow x cell area, m2 h over the period; how "
                      "the weight table is cut into intervals does not change it"),
-         .whenMissing = std::numeric_limits<double>::quiet_NaN(),
+         .valueIfMissing = std::numeric_limits<double>::quiet_NaN(),
          .unit = FigureUnit::squareMetreHours,
          .better = Better::higher,
          .isChange = true});
@@ -60,7 +60,7 @@ double scorePerArea(const ScoreTotals& totals) {
 // The figures that a project kept of its scenarios did not state it at first.
 Figure receiverArea() {
     Figure row = figure(&ScoreTotals::receiverAreaM2, findFigure(shadowFigures().rows(), "receiver_area_m2"));
-    row.whenMissing = std::numeric_limits<double>::quiet_NaN();
+    row.valueIfMissing = std::numeric_limits<double>::quiet_NaN();
     return row;
 }
 

@@ -111,7 +111,7 @@ void benchCaches(const City& city, const Receivers& bare, const SunSteps& sun, d
     City now = withTower(city, middle, 0);
     HorizonCache kept =
         taken(HorizonCache::make(now, receiversOf(now), {.binDeg = binDeg > 0 ? binDeg : 0.5}));
-    const double full = secondsOf([&] { taken(kept.retime(sun, progress, {}, ShadowCounts::gross)); });
+    const double full = secondsOf([&] { taken(kept.computePeriod(sun, progress, {}, ShadowCounts::gross)); });
     SunSteps day = sun;
     day.days = {sun.days[100]};
     day.days[0].first = 0;
@@ -119,8 +119,10 @@ void benchCaches(const City& city, const Receivers& bare, const SunSteps& sun, d
                      sun.steps.begin() + sun.days[100].first + sun.days[100].count);
     std::vector<double> again, ofDay, edits;
     for (int round = 0; round < rounds; ++round) {
-        ofDay.push_back(secondsOf([&] { taken(kept.retime(day, progress, {}, ShadowCounts::gross)); }));
-        again.push_back(secondsOf([&] { taken(kept.retime(sun, progress, {}, ShadowCounts::gross)); }));
+        ofDay.push_back(
+            secondsOf([&] { taken(kept.computePeriod(day, progress, {}, ShadowCounts::gross)); }));
+        again.push_back(
+            secondsOf([&] { taken(kept.computePeriod(sun, progress, {}, ShadowCounts::gross)); }));
     }
     for (int round = 1; round <= 2 * rounds; ++round) {
         now = withTower(city, middle, round % 2 == 0 ? 0.0F : 10.0F);
@@ -135,10 +137,10 @@ void benchCaches(const City& city, const Receivers& bare, const SunSteps& sun, d
         kept.bytes() >> 20U, medianOf(again), medianOf(ofDay), medianOf(edits));
     fmt::print("retime_fraction {:.4f}\nretime_day_fraction {:.4f}\nedit_fraction {:.4f}\nedit_ms {:.1f}\n",
                medianOf(again) / full, medianOf(ofDay) / full, medianOf(edits) / full, 1e3 * medianOf(edits));
-    const ShadowField edited = taken(kept.retime(sun, progress, {}));
+    const ShadowField edited = taken(kept.computePeriod(sun, progress, {}));
     const ShadowField fresh =
         taken(taken(HorizonCache::make(now, receiversOf(now), {.binDeg = binDeg > 0 ? binDeg : 0.5}))
-                  .retime(sun, progress, {}));
+                  .computePeriod(sun, progress, {}));
     for (const std::uint32_t cell : bare.cells)
         if (edited.grossMin[cell] != fresh.grossMin[cell] && fresh.grossMin[cell] == fresh.grossMin[cell])
             fmt::print("WRONG at {}\n", cell);

@@ -106,7 +106,7 @@ std::vector<Place> placesOfProof(const std::string& file, const Frame& frame) {
 // Each cell by its share of the place.
 double meanShadowMin(const PlaceReceivers& cells, std::size_t place, const std::vector<double>& minutes) {
     std::vector<double> shares(cells.cellCount(place), 1);
-    for (const UnevenCell& cell : cells.unevenOf[place]) shares[cell.bit] += cell.extra;
+    for (const WeightedCell& cell : cells.unevenOf[place]) shares[cell.bit] += cell.extra;
     double sum = 0, counted = 0;
     for (std::size_t bit = 0; bit < shares.size(); ++bit) {
         sum += shares[bit] * minutes[cells.receiverOf(place, bit)];

@@ -69,7 +69,8 @@ inline ShadowField freshHorizons(const City& city, const Receivers& receivers, c
     NoProgress progress;
     auto cache = HorizonCache::make(city, receivers, {SharedHorizonCache::binDeg}).value();
     const SunQuestion question = sunOf(period);
-    return cache.retime(computeSunSteps(question.period, question.observer).value(), progress, {}).value();
+    return cache.computePeriod(computeSunSteps(question.period, question.observer).value(), progress, {})
+        .value();
 }
 
 inline bool sameBits(const std::vector<float>& a, const std::vector<float>& b) {

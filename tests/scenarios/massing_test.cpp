@@ -200,7 +200,7 @@ TEST(Massing, EveryHostileOutlineGivesClosedSolidsOrAWarning) {
 
 TEST(SameFloorArea, TheDoublePlateIsHalfAsHigh) {
     const Footprint lot = box(0, 0, 60, 60);
-    const MassConstraint given = massOf(house("t", box(20, 20, 40, 40), 350), 0, 3.5).value();
+    const PreservedFloorArea given = massOf(house("t", box(20, 20, 40, 40), 350), 0, 3.5).value();
     EXPECT_NEAR(given.grossFloorM2, 40000, 1e-3);
     const Massing wide = findSameFloorArea(lot, given, 2).value();
     EXPECT_EQ(wide.figures.storeys, 50);
@@ -226,7 +226,7 @@ TEST(SameFloorArea, ATaperHasItsOwnFloors) {
     taper.parts[0].mesh = std::make_shared<const TriangleMesh>(mesh);
     double expected = 0;
     for (int side = 40; side > 10; side -= 3) expected += (side - 0.01) * (side - 0.01);
-    const MassConstraint given = massOf(taper, 0, 3).value();
+    const PreservedFloorArea given = massOf(taper, 0, 3).value();
     EXPECT_NEAR(given.grossFloorM2, expected, 0.5);
     EXPECT_NEAR(given.grossFloorM2, 7765, 6);
     EXPECT_NEAR(area(given.plate), 39.99 * 39.99, 0.1);
@@ -280,7 +280,7 @@ TEST(SeveralTowers, NeedRoom) {
 
 TEST(SameFloorArea, WhereTheLotIsTooSmallThePlateIsTheLot) {
     const Footprint lot = box(18, 0, 42, 60);  // 1440 m2; the building's plate is 20 x 20 m
-    const MassConstraint given = massOf(house("t", box(20, 20, 40, 40), 350), 0, 3.5).value();
+    const PreservedFloorArea given = massOf(house("t", box(20, 20, 40, 40), 350), 0, 3.5).value();
     const Massing widest = findSameFloorArea(lot, given, largestPlate).value();
     EXPECT_EQ(widest.figures.storeys, 28);  // 40000 / 1440 = 27.8
     EXPECT_NEAR(widest.figures.grossFloorM2, 40000, 20);
@@ -291,7 +291,7 @@ TEST(SameFloorArea, WhereTheLotIsTooSmallThePlateIsTheLot) {
 
 TEST(SameFloorArea, SlimmerIsTaller) {
     const Footprint lot = box(0, 0, 60, 60);
-    const MassConstraint given =
+    const PreservedFloorArea given =
         massOf(makeMassing(lot, {.storeys = 40, .plate = {.shareOfLot = 0.5}}).value());
     const Massing slim = findSameFloorArea(lot, given, 0.5).value();
     EXPECT_EQ(slim.figures.storeys, 80);

@@ -32,7 +32,8 @@ Result<ProjectFile> openProject(const std::string& file, const Console& console)
     const Interrupt interrupt;
     NoProgress progress;
     Warnings warnings;
-    disk->setCityAtHand(withLoadedPhotograph(disk->project(), warnings, progress, interrupt.token()).city);
+    disk->setCityWithPictures(
+        withLoadedPhotograph(disk->project(), warnings, progress, interrupt.token()).city);
     if (interrupt.token().stop_requested()) return cancelled();
     printWarnings(console.err, warnings);
     return disk;

@@ -176,7 +176,7 @@ Result<std::vector<std::filesystem::path>> writeFiles(const MeasuredPlaces& meas
 }
 
 std::string describeSun(const SunOfPlace& of) {
-    if (of.cells == 0) return std::string(describe(of.why));
+    if (of.cells == 0) return std::string(describe(of.status));
     return fmt::format("{:5.2f} h of sun a day ({:.2f} to {:.2f}), {:5.1f} % with enough", of.meanHours,
                        of.minHours, of.maxHours, 100 * of.enoughShare);
 }

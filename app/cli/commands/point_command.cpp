@@ -50,8 +50,8 @@ struct PointCities {
     City baseline;
     std::optional<City> scenario;
     std::string zone;
-    std::vector<PointCase> cases{};  ///< the existing city and all scenarios, if asked for
-    Warnings warnings{};             ///< of reading, and of what is not measured
+    std::vector<PointScenario> cases{};  ///< the existing city and all scenarios, if asked for
+    Warnings warnings{};                 ///< of reading, and of what is not measured
 };
 
 void parsePlace(const std::string& text, PointQuestion& question) {
@@ -60,8 +60,8 @@ void parsePlace(const std::string& text, PointQuestion& question) {
     question.at = *at;
 }
 
-Result<std::vector<PointCase>> casesOf(const Project& project) {
-    std::vector<PointCase> cases{{existingCity, project.city}};
+Result<std::vector<PointScenario>> casesOf(const Project& project) {
+    std::vector<PointScenario> cases{{existingCity, project.city}};
     for (const Scenario& scenario : project.scenarios) {
         auto city = cityOf(project, scenario.name);
         if (!city) return tl::make_unexpected(city.error());

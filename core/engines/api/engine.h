@@ -110,8 +110,8 @@ public:
                                           std::stop_token stop) const;
 
     /// The engine whose masks shadeSteps() would state: its own name, unless it chooses another.
-    [[nodiscard]] virtual std::string_view nameOfMasks(std::span<const City* const> /*cities*/,
-                                                       const Receivers& /*receivers*/) const {
+    [[nodiscard]] virtual std::string_view stepMaskEngineName(std::span<const City* const> /*cities*/,
+                                                              const Receivers& /*receivers*/) const {
         return name();
     }
 

@@ -30,7 +30,7 @@ std::optional<EngineChoice> EngineInUse::closer(const SampledDeviation& off) con
     return asked_.chooseCloser(*choice_, off, cities_, receivers_, sun_);
 }
 
-bool EngineInUse::switchToCloser(const SampledDeviation& off) {
+bool EngineInUse::switchToMoreExact(const SampledDeviation& off) {
     auto other = closer(off);
     if (!other) return false;
     choice_ = std::move(other);
@@ -43,7 +43,7 @@ bool EngineInUse::sums(bool byBuilding) const {
     return byBuilding ? able.attribution : able.sets;
 }
 
-bool EngineInUse::sumsByBuildingLessClosely() const { return isCloser_ && !sums(true); }
+bool EngineInUse::attributionIsLessExact() const { return isCloser_ && !sums(true); }
 
 Result<ShadowBreakdown> EngineInUse::breakDown(const City& city, const StepSets& sets, bool byBuilding,
                                                Progress& progress, const std::stop_token& stop) const {

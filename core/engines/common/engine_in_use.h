@@ -9,7 +9,7 @@
 namespace noonmark {
 
 /// The engine that answers one question: the one asked for or, if that one chooses others, its choice for
-/// these cities, and what it goes on to where the choice refuses or a sample shows that it is off. All that
+/// these cities, and what it switches to where the choice refuses or a sample shows that it is off. All that
 /// it is made from must outlive it.
 class EngineInUse {
 public:
@@ -17,7 +17,7 @@ public:
     EngineInUse(const Engine& asked, std::span<const City* const> cities, const Receivers& receivers,
                 const SunSteps& sun);
 
-    /// The field of one of the cities. Where the choice refuses it goes on to another engine.
+    /// The field of one of the cities. Where the choice refuses it switches to another engine.
     [[nodiscard]] Result<ShadowField> accumulate(const City& city, Progress& progress,
                                                  const std::stop_token& stop);
 
@@ -37,11 +37,11 @@ public:
     /// Whether breakDown() finds the same minutes for a receiver whichever other receivers there are.
     [[nodiscard]] bool isIndependent() const;
     /// Whether breakDown() sums by building although a sample showed that what it sums with is off.
-    [[nodiscard]] bool sumsByBuildingLessClosely() const;
+    [[nodiscard]] bool attributionIsLessExact() const;
 
     /// Switches to a closer engine if a sample of the field is off by more than the choice aims at. False:
     /// the field stands.
-    bool switchToCloser(const SampledDeviation& off);
+    bool switchToMoreExact(const SampledDeviation& off);
     [[nodiscard]] bool wouldSwitch(const SampledDeviation& off) const { return closer(off).has_value(); }
 
 private:

@@ -37,9 +37,8 @@ const Fields<HorizonSweepSettings>& sweepFields() {
         field(&HorizonSweepSettings::errorTargetPercent,
               {.key = "error",
                .label = NM_TEXT("Error target"),
-               .help = NM_TEXT("Mean error of a cell's gross shadow, of the period: the sweep's azimuth bins "
-                               "are as wide as it lets "
-                               "them be; half of it takes twice as long"),
+               .help = NM_TEXT("Target for the mean error of a cell's gross shadow, of the period. Halving "
+                               "it doubles the time of a run"),
                .unit = "%",
                .range = ValueRange{0.005, 1}}),
         field(&HorizonSweepSettings::binDeg,

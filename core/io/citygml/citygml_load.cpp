@@ -407,7 +407,7 @@ Result<FilePiece> readGml(const std::filesystem::path& file, const ReadSettings&
     if (!frame) return tl::make_unexpected(frame.error());
     FilePiece piece{.warnings = std::move(city.warnings), .features = city.features};
     piece.format = city.version.empty() ? "CityGML" : "CityGML " + city.version;
-    piece.crs = city.crsWords;
+    piece.crs = city.crsText;
     if (!settings.frame) piece.frame = *frame;
     addTin(city, name, piece);
     addTrees(city, name, *frame, piece);

@@ -322,7 +322,7 @@ Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& se
     FilePiece piece{
         .warnings = std::move(data->warnings), .features = data->features, .attribution = data->attribution};
     piece.format = fmt::format("{} {}", data->sequence ? "CityJSONSeq" : "CityJSON", data->version);
-    piece.crs = data->crsWords;
+    piece.crs = data->crsText;
     if (!settings.frame) piece.frame = *frame;
     addTin(*data, name, piece);
     addTrees(*data, name, *frame, piece);

@@ -86,8 +86,8 @@ struct CityJsonBlock {
 };
 
 struct CityJsonData {
-    std::string crs;       ///< empty: not stated
-    std::string crsWords;  ///< FilePiece::crs; set by placeCity()
+    std::string crs;      ///< empty: not stated
+    std::string crsText;  ///< FilePiece::crs; set by placeCity()
     std::string version;
     std::string attribution;
     bool sequence = false;

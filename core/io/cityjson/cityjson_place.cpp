@@ -157,7 +157,7 @@ Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const 
     Result<CrsToLonLat> crs = CrsToLonLat::of(text);
     if (!crs) return failure(crs.error().what, file, crs.error().advice);
     crs->removeZoneNumber();
-    data.crsWords = describeCrs(crs->name(), data.crs.empty() ? CrsSource::user : CrsSource::file);
+    data.crsText = describeCrs(crs->name(), data.crs.empty() ? CrsSource::user : CrsSource::file);
     if (!crs->elevationUnitIsStated() && crs->metresPerElevationUnit() != 1)
         data.warnings.push_back(
             {WarningKind::assumed, "elevations have no unit; the unit of the map is assumed", file});

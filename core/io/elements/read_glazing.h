@@ -52,8 +52,7 @@ struct GlazingRead {
 /// be used is left out with a warning: no geometry, neither point nor polygon, no height, coordinates that
 /// are no numbers, too far away.
 ///
-/// Of CityJSON and CityGML the surfaces that are marked as Window or Door, of IFC its windows and doors
-/// (read_glazing.h).
+/// Of CityJSON and CityGML the surfaces that are marked as Window or Door, of IFC its windows and doors.
 ///
 /// Error: the file cannot be read, is damaged, states no CRS, lacks the id field, has more than maxWindows
 /// features, or holds no usable window (the error states why); cancelled(). Some 5 us a window. Backend:

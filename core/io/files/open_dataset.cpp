@@ -4,8 +4,8 @@
 
 namespace noonmark {
 
-std::vector<std::string> makeWarpWords(const std::string& fromCrs, const std::string& toCrs,
-                                       const Grid& grid) {
+std::vector<std::string> makeWarpArguments(const std::string& fromCrs, const std::string& toCrs,
+                                           const Grid& grid) {
     const auto number = [](double value) { return fmt::format("{:.6f}", value); };
     return {"-of",
             "MEM",

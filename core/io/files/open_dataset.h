@@ -15,8 +15,8 @@ namespace noonmark {
 
 /// Words for GDAL's warper that every resampling of a raster shares: from one coordinate reference system
 /// into the cells of a grid in another, in memory, heights left alone, with 256 MB to work in.
-std::vector<std::string> makeWarpWords(const std::string& fromCrs, const std::string& toCrs,
-                                       const Grid& grid);
+std::vector<std::string> makeWarpArguments(const std::string& fromCrs, const std::string& toCrs,
+                                           const Grid& grid);
 
 /// The purpose of opening a file, which determines the accepted formats.
 enum class DatasetContent {

@@ -228,7 +228,7 @@ Result<DatasetPointer> openDataset(const fs::path& given, DatasetContent content
         return failure("It is not a file that can be opened", given.string());
     if (auto plain = checkOnDisk(file, content); !plain) return tl::make_unexpected(plain.error());
     if (auto known = refuseForeignFormat(file); !known) return tl::make_unexpected(known.error());
-    const FolderOfGdal folder(fs::is_directory(file, error) ? file : file.parent_path());
+    const GdalFolderScope folder(fs::is_directory(file, error) ? file : file.parent_path());
     CPLErrorReset();
     GDALDriverH found =
         GDALIdentifyDriverEx(file.c_str(), flagsOf(content), driversOf(content).List(), nullptr);

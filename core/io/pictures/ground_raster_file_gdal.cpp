@@ -132,7 +132,7 @@ struct Watch {
 
 DatasetPointer warp(GDALDataset& colours, const std::string& crs, const Frame& frame, const Grid& grid,
                     Watch& watch) {
-    Words asked = makeWarpWords(crs, frame.projString(), grid);
+    Words asked = makeWarpArguments(crs, frame.projString(), grid);
     asked.insert(asked.end(), {"-r", "bilinear", "-dstalpha"});
     char** words = listOf(asked);
     GDALWarpAppOptions* options = GDALWarpAppOptionsNew(words, nullptr);

@@ -174,7 +174,7 @@ using Options = std::unique_ptr<GDALWarpAppOptions, decltype(&GDALWarpAppOptions
 Options warpOptions(const Source& source, const Grid& grid, bool coarser, GDALProgressFunc report,
                     void* reportTo, const std::string& target) {
     constexpr double offM = 0.05;  // tolerance for the position of a cell when GDAL resamples
-    std::vector<std::string> words = makeWarpWords(source.crs, target, grid);
+    std::vector<std::string> words = makeWarpArguments(source.crs, target, grid);
     words.insert(words.end(), {"-r", coarser ? "average" : "bilinear", "-ot", "Float32", "-dstnodata", "nan",
                                "-et", fmt::format("{:.6f}", std::min(0.125, offM / grid.cellM))});
     if (!source.noData.empty()) words.insert(words.end(), {"-srcnodata", source.noData});

@@ -37,7 +37,7 @@ void fillFromAround(std::vector<float>& values, int columns, int rows, const std
     if (!band || !mask) return;  // the caller fills what is left
     char** options = CSLSetNameValue(nullptr, "TEMP_FILE_DRIVER", "MEM");
     (void)GDALFillNodata(band->GetRasterBand(1), mask->GetRasterBand(1), farthestCells, 0, 0, options,
-                         goOnUntilStopped, const_cast<std::stop_token*>(&stop));
+                         continueUnlessStopped, const_cast<std::stop_token*>(&stop));
     CSLDestroy(options);
 }
 
@@ -69,7 +69,7 @@ bool outlineNumbers(std::vector<std::int32_t>& numbers, int columns, int rows,
     OGRFieldDefn number("number", OFTInteger);
     if (layer == nullptr || layer->CreateField(&number) != OGRERR_NONE) return false;
     GDALRasterBand* band = raster->GetRasterBand(1);  // its zeros mask themselves
-    if (GDALPolygonize(band, band, OGRLayer::ToHandle(layer), 0, nullptr, goOnUntilStopped,
+    if (GDALPolygonize(band, band, OGRLayer::ToHandle(layer), 0, nullptr, continueUnlessStopped,
                        const_cast<std::stop_token*>(&stop)) != CE_None)
         return false;
     for (const auto& feature : *layer) {

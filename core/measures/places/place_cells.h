@@ -14,7 +14,7 @@ namespace noonmark {
 
 /// A cell of which more or less than its own area counts: it lies on the edge of the place or of a building,
 /// or also stands for the open ground beside it whose own cell has its centre in a building.
-struct UnevenCell {
+struct WeightedCell {
     std::uint32_t bit = 0;  ///< of the place's masks
     double extra = 0;       ///< cells that count besides its own; -1 to 8
     /// Its centre is beside the place: it counts for areas and shares, not for spots and times. Never of all
@@ -40,14 +40,14 @@ struct PlaceShadow {
     std::span<const SunStep> steps;  ///< of the day; belongs to the period's SunSteps
     double cellAreaM2 = 1;
     double stepMinutes = 1;
-    StepMasks baseline;                    ///< masks over the place's own cells only
-    StepMasks scenario;                    ///< as large; equal to `baseline` where no scenario is given
-    std::span<const UnevenCell> uneven{};  ///< ascending; all others count once
+    StepMasks baseline;                      ///< masks over the place's own cells only
+    StepMasks scenario;                      ///< as large; equal to `baseline` where no scenario is given
+    std::span<const WeightedCell> uneven{};  ///< ascending; all others count once
     std::span<const NeighbourCells> neighbours{};  ///< all pairs; none: the edges of shadows are not known
 
     [[nodiscard]] double areaM2() const {
         double cells = double(baseline.receivers);
-        for (const UnevenCell& cell : uneven) cells += cell.extra;
+        for (const WeightedCell& cell : uneven) cells += cell.extra;
         return cells * cellAreaM2;
     }
 };

@@ -98,9 +98,9 @@ public:
         return spans;
     }
 
-    [[nodiscard]] std::vector<UnevenCell> uneven() const {
+    [[nodiscard]] std::vector<WeightedCell> uneven() const {
         constexpr double rounding = 1e-6;
-        std::vector<UnevenCell> cells;
+        std::vector<WeightedCell> cells;
         for (std::uint32_t bit = 0; bit < shares_.size(); ++bit)
             if (beside_[bit] || std::abs(shares_[bit] - 1) > rounding)
                 cells.push_back({bit, shares_[bit] - 1, beside_[bit]});

@@ -29,7 +29,7 @@ struct PlaceReceivers {
     std::vector<std::vector<CellSpan>> cellsOf;  ///< one list a place, ascending; empty: no cell of its own
     /// Cells that count more or less than their area, so that the areas of a place's cells add up to its open
     /// ground; one list a place.
-    std::vector<std::vector<UnevenCell>> unevenOf;
+    std::vector<std::vector<WeightedCell>> unevenOf;
     std::vector<std::vector<NeighbourCells>> neighboursOf;  ///< one list a place
 
     [[nodiscard]] std::size_t cellCount(std::size_t place) const;

@@ -23,7 +23,7 @@ StepAreas weighStep(const PlaceShadow& shadow, std::size_t step, const StepCount
            incremental = double(counts.incremental),
            gained = double(counts.baseline + counts.incremental - counts.scenario);
     StepCounts centres = counts;
-    for (const UnevenCell& cell : shadow.uneven) {
+    for (const WeightedCell& cell : shadow.uneven) {
         const bool was = hasBit(before, cell.bit), is = hasBit(after, cell.bit);
         baseline += was ? cell.extra : 0;
         scenario += is ? cell.extra : 0;
@@ -44,13 +44,13 @@ StepAreas weighStep(const PlaceShadow& shadow, std::size_t step, const StepCount
 }
 
 std::size_t countCentres(const PlaceShadow& shadow) {
-    const auto beside = std::ranges::count_if(shadow.uneven, &UnevenCell::isBeside);
+    const auto beside = std::ranges::count_if(shadow.uneven, &WeightedCell::isBeside);
     return shadow.baseline.receivers - std::size_t(beside);
 }
 
 StepMasks dropEdgeCells(const PlaceShadow& shadow, const StepMasks& masks) {
     StepMasks kept = masks;
-    for (const UnevenCell& cell : shadow.uneven)
+    for (const WeightedCell& cell : shadow.uneven)
         for (std::size_t step = 0; cell.isBeside && step < kept.steps; ++step)
             kept.at(step)[cell.bit / 64] &= ~(std::uint64_t{1} << cell.bit % 64);
     return kept;

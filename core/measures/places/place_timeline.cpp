@@ -165,7 +165,7 @@ std::size_t findLongestRunOf(const std::vector<BitRow>& rows, std::size_t column
 
 bool isBesidePlace(const PlaceShadow& shadow, std::size_t cell) {
     return std::ranges::any_of(shadow.uneven,
-                               [&](const UnevenCell& one) { return one.bit == cell && one.isBeside; });
+                               [&](const WeightedCell& one) { return one.bit == cell && one.isBeside; });
 }
 
 /// The most steps between a cell's longest run and those of the cells beside it that have their centres in

@@ -74,7 +74,7 @@ private:
 
 std::vector<double> listAreas(const PlaceShadow& shadow) {
     std::vector<double> areas(shadow.baseline.receivers, shadow.cellAreaM2);
-    for (const UnevenCell& cell : shadow.uneven) areas[cell.bit] += cell.extra * shadow.cellAreaM2;
+    for (const WeightedCell& cell : shadow.uneven) areas[cell.bit] += cell.extra * shadow.cellAreaM2;
     return areas;
 }
 

@@ -194,7 +194,7 @@ Measured measureWorstSpot(const Criterion& criterion, const DayShadow& day, bool
 /// How many cells each cell of a place counts.
 std::vector<double> weightsOf(const PlaceShadow& shadow) {
     std::vector<double> weights(shadow.baseline.receivers, 1.0);
-    for (const UnevenCell& cell : shadow.uneven) weights[cell.bit] += cell.extra;
+    for (const WeightedCell& cell : shadow.uneven) weights[cell.bit] += cell.extra;
     return weights;
 }
 

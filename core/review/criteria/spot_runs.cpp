@@ -171,7 +171,7 @@ const SpotRuns& RunsOfDay::count(Quantity quantity, bool former, const RunSettin
 
 void leaveOutBeside(const PlaceShadow& shadow, Quantity quantity, std::vector<std::uint32_t>& steps) {
     constexpr auto endless = std::numeric_limits<std::uint32_t>::max();
-    for (const UnevenCell& cell : shadow.uneven)
+    for (const WeightedCell& cell : shadow.uneven)
         if (cell.isBeside) steps[cell.bit] = quantity == Quantity::sun ? endless : 0;
 }
 

@@ -49,7 +49,7 @@ PaneLimits::PaneLimits(const RuleGlazing& rule, const PanePoint& point, PaneSize
     minSweepSine_ = std::sin(std::max(rule.minSweepDeg * degree, ofOpening));
 }
 
-bool PaneLimits::lets(glm::dvec3 sun) const {
+bool PaneLimits::admits(glm::dvec3 sun) const {
     const double towards = glm::dot(sun, normal_);
     if (towards <= 0) return false;
     const double level = std::hypot(normal_.x, normal_.y), sunLevel = std::hypot(sun.x, sun.y);
@@ -277,7 +277,8 @@ void judge(const Rule& rule, GlazingReview& review) {
     review.deciding = now.deciding;
     review.formerVerdict = decide(rule, review.window, review.formerVerdicts).verdict;
     if (!now.deciding)
-        review.unjudged = "The rule has no limit for this window: it faces elsewhere, or has no former sun";
+        review.reasonNotJudged =
+            "The rule has no limit for this window: it faces elsewhere, or has no former sun";
 }
 
 /// Nothing is judged where the sun is never up in the rule's hours.
@@ -285,7 +286,7 @@ void markUnjudged(GlazingReview& review) {
     for (CriterionResult& result : review.results) result.verdict = Verdict::notChecked;
     for (Verdict& verdict : review.formerVerdicts) verdict = Verdict::notChecked;
     review.verdict = review.formerVerdict = Verdict::notChecked;
-    review.unjudged = noSunInHours;
+    review.reasonNotJudged = noSunInHours;
 }
 
 void addBands(const RuleSun& sun, const GlazingSunlight& light, GlazingReview& review) {
@@ -330,7 +331,7 @@ GlazingReview reviewGlazing(const Rule& rule, const RuleSun& sun, const Reviewed
 }
 
 std::string describeReason(const Rule& rule, const GlazingReview& review) {
-    if (!review.deciding) return review.unjudged;
+    if (!review.deciding) return review.reasonNotJudged;
     return describeResult(rule.criteria[*review.deciding], review.results[*review.deciding]);
 }
 

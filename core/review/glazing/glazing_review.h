@@ -35,7 +35,7 @@ PaneSize sizeOrOpening(const RuleGlazing& rule, PaneSize pane);
 class PaneLimits {
 public:
     PaneLimits(const RuleGlazing& rule, const PanePoint& point, PaneSize pane);
-    [[nodiscard]] bool lets(glm::dvec3 sun) const;
+    [[nodiscard]] bool admits(glm::dvec3 sun) const;
 
 private:
     glm::dvec3 normal_;
@@ -73,7 +73,7 @@ struct GlazingReview {
     Verdict verdict = Verdict::notChecked;
     Verdict formerVerdict = Verdict::notApplicable;  ///< of the baseline, held against itself
     std::optional<std::size_t> deciding;             ///< the criterion whose result is the verdict
-    std::string unjudged;                            ///< why none decides; a sentence without a full stop
+    std::string reasonNotJudged;                     ///< why none decides; a sentence without a full stop
     std::vector<CriterionResult> results;            ///< by criterion of the rule, with former values
     std::vector<Verdict> formerVerdicts;             ///< by criterion
     /// The day of the bands: the one that decides, or the rule's only day; none for sums over the year.

@@ -14,7 +14,7 @@ namespace {
 // Cells with their centre beside the place do not count.
 std::uint32_t mostOf(const PlaceShadow& spots, const std::vector<std::uint32_t>& steps) {
     std::uint32_t most = steps.empty() ? 0 : std::ranges::max(steps);
-    const auto isMost = [&](const UnevenCell& cell) { return cell.isBeside && steps[cell.bit] == most; };
+    const auto isMost = [&](const WeightedCell& cell) { return cell.isBeside && steps[cell.bit] == most; };
     if (most == 0 || std::ranges::none_of(spots.uneven, isMost)) return most;
     std::vector<std::uint32_t> left = steps;
     leaveOutBeside(spots, Quantity::shadow, left);
@@ -164,7 +164,7 @@ void PlaceEvaluation::judge(PlaceReview& review) const {
     const auto markUnjudged = [&](Verdict verdict, std::string reason) {
         for (CriterionResult& result : review.results) result.verdict = verdict;
         review.verdict = verdict;
-        review.unjudged = std::move(reason);
+        review.reasonNotJudged = std::move(reason);
     };
     if (!covers(*rule_, review.kind))
         return markUnjudged(
@@ -183,7 +183,7 @@ void PlaceEvaluation::judge(PlaceReview& review) const {
     }
     if (review.deciding) return;
     review.verdict = Verdict::notApplicable;
-    review.unjudged = noLimitForPlace;
+    review.reasonNotJudged = noLimitForPlace;
 }
 
 }  // namespace noonmark

@@ -52,7 +52,7 @@ struct PlaceReview {
     double areaM2 = 0;  ///< of the cells that are receivers
     Verdict verdict = Verdict::notChecked;
     std::optional<std::size_t> deciding;   ///< the criterion whose result is the verdict
-    std::string unjudged;                  ///< why none decides; a sentence without a full stop
+    std::string reasonNotJudged;           ///< why none decides; a sentence without a full stop
     std::vector<Criterion> criteria;       ///< those of the rule that apply to this place
     std::vector<CriterionResult> results;  ///< by criterion
     std::vector<ReviewRow> rows;           ///< in the order of the days

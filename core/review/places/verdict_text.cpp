@@ -64,12 +64,12 @@ std::string describeResult(const Criterion& criterion, const CriterionResult& re
 }
 
 std::string_view nameVerdict(const PlaceReview& review) {
-    if (review.unjudged == noLimitForPlace) return "figures only";
+    if (review.reasonNotJudged == noLimitForPlace) return "figures only";
     return nameOf(review.verdict);
 }
 
 std::string describeReason(const PlaceReview& review, UnitSystem units) {
-    if (!review.deciding) return review.unjudged;
+    if (!review.deciding) return review.reasonNotJudged;
     return describeResult(review.criteria[*review.deciding], review.results[*review.deciding], units);
 }
 

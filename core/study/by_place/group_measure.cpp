@@ -247,12 +247,12 @@ private:
     Result<void> sweepMonths() {
         CitySweeps sweeps(m_.off.empty() ? engineOf(0) : m_.engine, m_.cities, receivers_, m_.daylight,
                           m_.months);
-        for (const SampledDeviation& off : m_.off) sweeps.switchToCloser(off);
+        for (const SampledDeviation& off : m_.off) sweeps.switchToMoreExact(off);
         for (;;) {
             auto first = sweepFirst(sweeps);
             if (!first) return tl::make_unexpected(first.error());
             const auto& error = m_.made.front().error;
-            if (isMain_ && error && sweeps.switchToCloser(error->grossOff())) {
+            if (isMain_ && error && sweeps.switchToMoreExact(error->grossOff())) {
                 m_.off.push_back(error->grossOff());
                 --done_;  // the same again
                 continue;

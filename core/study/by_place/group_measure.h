@@ -27,7 +27,7 @@ public:
     CitySweeps(const Engine& asked, std::span<const City* const> cities, const Receivers& receivers,
                const SunSteps& sun, const StepSets& sets);
 
-    /// The sums of the first city, by a sweep over all receivers; made again after switchToCloser().
+    /// The sums of the first city, by a sweep over all receivers; made again after switchToMoreExact().
     Result<ShadowBreakdown> sweepFirst(Progress& progress, const std::stop_token& stop);
 
     /// The sums of another city, given those of the first: where its changed buildings cast shadow. Over all
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] std::string_view chosenKey() const { return engine_.chosenKey(); }
 
     /// Goes on to a closer engine where a sample of the first city is off; false: it stands.
-    bool switchToCloser(const SampledDeviation& off) { return engine_.switchToCloser(off); }
+    bool switchToMoreExact(const SampledDeviation& off) { return engine_.switchToMoreExact(off); }
 
 private:
     // The receivers on which a city may differ from the first; none: all may.

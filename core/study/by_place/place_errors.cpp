@@ -210,8 +210,8 @@ void listPlacesWithoutCells(std::span<const City* const> cities, std::vector<Sun
     for (std::size_t i = 0; i < baseline.places.size(); ++i) {
         if (baseline.sun[i].cells > 0) continue;
         const Place& place = baseline.places[i];
-        const auto why = isBuiltOver(cities, place) ? NoSunFigures::builtOver : NoSunFigures::betweenCells;
-        for (SunByPlace& made : all) made.sun[i].why = why;
+        const auto why = isBuiltOver(cities, place) ? PlaceStatus::builtOver : PlaceStatus::betweenCells;
+        for (SunByPlace& made : all) made.sun[i].status = why;
         baseline.warnings.push_back(
             {WarningKind::leftOut, fmt::format("a place without figures: {}", describe(why)), place.name});
     }

@@ -311,7 +311,7 @@ Result<SunOfCities> measurePlacesOfTile(std::span<const NamedCity> cities, std::
     });
 }
 
-Result<void> frameSun(SunByPlace& sun, const Observer& observer, const std::stop_token& stop) {
+Result<void> prepareSunByPlace(SunByPlace& sun, const Observer& observer, const std::stop_token& stop) {
     sun.settings.study.region = unite(sun.places);
     sun.settings.study.byMonth = true;
     sun.partOf = findWholes(sun.places, stop);

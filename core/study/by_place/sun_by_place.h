@@ -61,16 +61,16 @@ struct SunOfCell {
     bool isInside = true;  ///< its centre lies in the place
 };
 
-/// Why a place has no figures.
-enum class NoSunFigures {
-    measured,      ///< it has
+/// Whether a place has figures, and why not.
+enum class PlaceStatus {
+    measured,      ///< it has figures
     builtOver,     ///< buildings stand on all of it
     betweenCells,  ///< no cell has its centre on its open ground
 };
 /// With the keys of JSON; none for measured.
-std::span<const Choice<NoSunFigures>> noSunChoices();
+std::span<const Choice<PlaceStatus>> noSunChoices();
 /// Their label; empty where it is measured.
-std::string_view describe(NoSunFigures why);
+std::string_view describe(PlaceStatus why);
 
 /// What to know about the figures of a place.
 enum class PlaceRemark {
@@ -98,11 +98,11 @@ struct SunOfPlace {
     double meanHours = none, minHours = none, maxHours = none;  ///< over the cells, mean over the days
     double enoughShare = none;                                  ///< of the area, with enoughHours or more
     double cellM = 0;                                           ///< side of its cells; 0: none
-    NoSunFigures why = NoSunFigures::measured;                  ///< there are no figures
-    std::vector<PlaceRemark> remarks;                           ///< about its figures
-    std::vector<double> seasonHours;                            ///< as monthHours; of SunByPlace::seasons
-    std::vector<double> monthHours;  ///< mean over the cells and the month's days; of SunByPlace::months
-    std::vector<double> dateHours;   ///< mean over the cells; of SunByPlaceSettings::dates
+    PlaceStatus status = PlaceStatus::measured;
+    std::vector<PlaceRemark> remarks;  ///< about its figures
+    std::vector<double> seasonHours;   ///< as monthHours; of SunByPlace::seasons
+    std::vector<double> monthHours;    ///< mean over the cells and the month's days; of SunByPlace::months
+    std::vector<double> dateHours;     ///< mean over the cells; of SunByPlaceSettings::dates
     std::vector<double>
         belowShare;  ///< of the area, with less than enoughHours; of SunByPlaceSettings::dates
     std::vector<SunOfCell> ofCells;  ///< also those beside it that count for some of it
@@ -236,7 +236,7 @@ Result<SunOfCities> measurePlacesOfTile(std::span<const NamedCity> cities, std::
 /// What all places have in common, without figures: months, seasons, daylight, the hours that are possible,
 /// which place is part of which. `sun`: has a city, settings and places; its region becomes that of the
 /// places. Error: the sun cannot be computed.
-Result<void> frameSun(SunByPlace& sun, const Observer& observer, const std::stop_token& stop);
+Result<void> prepareSunByPlace(SunByPlace& sun, const Observer& observer, const std::stop_token& stop);
 
 /// All places as one: the hours of the period and of its months and the share with enough, each place by its
 /// area; NaN: none has a cell. A place that is part of another counts twice.

@@ -58,8 +58,8 @@ const Fields<SunByPlaceSettings>& sunByPlaceFields() {
               {.key = "small_cell_m",
                .flag = "--small-cell",
                .label = NM_TEXT("Cells of small places"),
-               .help = NM_TEXT("Size of the cells of places with fewer than 25 cells, m; as large as the "
-                               "others or larger: the same"),
+               .help = NM_TEXT("Size of the cells of places with fewer than 25 cells, m; no effect if it is "
+                               "not smaller than that of the others"),
                .unit = "m",
                .range = ValueRange{ReceiverSettings::minCellM, ReceiverSettings::maxCellM}}),
     };

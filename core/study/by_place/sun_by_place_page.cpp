@@ -307,7 +307,7 @@ Sentence describeChange(const ComparedSun& compared, std::size_t place, const Su
     const double lossMin = -minutesPerHour * change.meanHours;
     if (lossMin < 0)
         return {as.isSun() ? NM_TEXT("%1 gives it %2 of sun a day, at most %3 at one spot.")
-                           : NM_TEXT("%1 spares it %2 of shadow a day, at most %3 at one spot."),
+                           : NM_TEXT("%1 reduces its shadow by %2 a day, at most %3 at one spot."),
                 {compared.sun.name, inMinutes(-lossMin), inMinutes(change.maxGainMin)}};
     return {as.isSun() ? NM_TEXT("%1 takes %2 of sun a day from it, at most %3 at one spot.")
                        : NM_TEXT("%1 adds %2 of shadow a day to it, at most %3 at one spot."),

@@ -187,7 +187,7 @@ void addWhere(PlaceColumns& columns, const SunByPlace& sun) {
         return sun.sun[i].cellM > 0 ? sun.sun[i].cellM : SunOfPlace::none;
     });
     columns.text("without_figures",
-                 [&sun](std::size_t i) { return textOrNone(std::string(describe(sun.sun[i].why))); });
+                 [&sun](std::size_t i) { return textOrNone(std::string(describe(sun.sun[i].status))); });
     columns.text("remarks", [&sun](std::size_t i) { return textOrNone(remarksOf(sun.sun[i])); });
     columns.number("lon_deg", placeDecimals,
                    [&sun](std::size_t i) { return middleOf(sun.places[i], sun.city.frame).lonDeg; });

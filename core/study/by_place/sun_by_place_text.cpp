@@ -114,8 +114,8 @@ Json placeJson(const Stated& stated, std::span<const ComparedSun> compared, std:
     if (sun.partOf[i]) json["part_of"] = wholeOf(sun, i);
     json.update(figuresOf(stated, sun, i));
     json["cell_m"] = sun.sun[i].cellM > 0 ? Json(sun.sun[i].cellM) : Json();
-    if (sun.sun[i].why != NoSunFigures::measured)
-        json["without_figures"] = keyOf(noSunChoices(), sun.sun[i].why);
+    if (sun.sun[i].status != PlaceStatus::measured)
+        json["without_figures"] = keyOf(noSunChoices(), sun.sun[i].status);
     for (const PlaceRemark remark : sun.sun[i].remarks)
         json["remarks"].push_back(keyOf(placeRemarkChoices(), remark));
     for (const ComparedSun& one : compared) {
@@ -161,9 +161,9 @@ void addComparison(Json& json, const SunByPlace& sun, std::span<const ComparedSu
 }
 
 constexpr std::array noSunList{
-    Choice<NoSunFigures>{NoSunFigures::builtOver, "built_over", NM_TEXT("buildings stand on all of it")},
-    Choice<NoSunFigures>{NoSunFigures::betweenCells, "between_cells",
-                         NM_TEXT("no cell has its centre on its open ground")},
+    Choice<PlaceStatus>{PlaceStatus::builtOver, "built_over", NM_TEXT("buildings stand on all of it")},
+    Choice<PlaceStatus>{PlaceStatus::betweenCells, "between_cells",
+                        NM_TEXT("no cell has its centre on its open ground")},
 };
 
 constexpr std::array placeRemarkList{
@@ -179,16 +179,16 @@ std::span<const Choice<PlaceRemark>> placeRemarkChoices() { return placeRemarkLi
 
 std::vector<std::string_view> listRemarks(const SunOfPlace& of) {
     std::vector<std::string_view> words;
-    if (of.why != NoSunFigures::measured) words.push_back(describe(of.why));
+    if (of.status != PlaceStatus::measured) words.push_back(describe(of.status));
     for (const Choice<PlaceRemark>& choice : placeRemarkList)
         if (std::ranges::find(of.remarks, choice.value) != of.remarks.end()) words.push_back(choice.label);
     return words;
 }
 
-std::span<const Choice<NoSunFigures>> noSunChoices() { return noSunList; }
+std::span<const Choice<PlaceStatus>> noSunChoices() { return noSunList; }
 
-std::string_view describe(NoSunFigures why) {
-    for (const Choice<NoSunFigures>& choice : noSunList)
+std::string_view describe(PlaceStatus why) {
+    for (const Choice<PlaceStatus>& choice : noSunList)
         if (choice.value == why) return choice.label;
     return {};
 }

@@ -115,7 +115,7 @@ void weighByShares(PlaceReceivers& on) {
     if (on.unevenOf.front().empty()) return;
     std::vector<double>& shares = on.receivers.shares;
     shares.assign(on.receivers.cells.size(), 1);
-    for (const UnevenCell& cell : on.unevenOf.front()) shares[on.receiverOf(0, cell.bit)] += cell.extra;
+    for (const WeightedCell& cell : on.unevenOf.front()) shares[on.receiverOf(0, cell.bit)] += cell.extra;
 }
 
 std::optional<CivilDate> dateOf(const SunByPlace& sun, std::optional<std::size_t> date) {

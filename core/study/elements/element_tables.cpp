@@ -239,7 +239,7 @@ const Figures<ElementFigures>& elementFigures() {
                 .label = NM_TEXT("Mean gross"),
                 .definition = NM_TEXT("minutes in shadow per day, mean over days and points; a point that "
                                       "faces away from the sun is in shadow"),
-                .whenMissing = std::nan(""),
+                .valueIfMissing = std::nan(""),
                 .unit = FigureUnit::minutesADay,
                 .whole = Whole::sunlitTime,
                 .shownWith = ShownWith::shadow}),

@@ -73,7 +73,7 @@ bool isSameCity(const City& a, const City& b, const CastingCities& casting) {
 ShadedSteps findTurnedAway(const PaneLimits& limits, const SunSteps& sun) {
     ShadedSteps away(sun.steps.size());
     for (std::size_t i = 0; i < away.size(); ++i)
-        away[i] = limits.lets(glm::dvec3(sun.steps[i].direction)) ? 0 : 1;
+        away[i] = limits.admits(glm::dvec3(sun.steps[i].direction)) ? 0 : 1;
     return away;
 }
 
@@ -144,7 +144,7 @@ GlazingSunlight measureWindow(const GlazingScene& scene, std::uint32_t window) {
     const PaneSize pane = scene.paneOf(window);
     GlazingSunlight light;
     light.after.assign(sun.steps.size(), 0);
-    if (!scene.fresh.contains(building)) light.before = light.after;
+    if (!scene.newBuildings.contains(building)) light.before = light.after;
     for (const PanePoint& point : placePanePoints(rule, middle, pane)) {
         const ShadedSteps away = findTurnedAway(PaneLimits(rule, point, pane), sun);
         addPoint(scene, {*scene.after, scene.crowns}, point.point, away, light.after, light.shares);
@@ -253,7 +253,7 @@ Rule withinBays(Rule rule, const ElementSettings& elements) {
     return rule;
 }
 
-std::set<std::uint32_t> findFresh(const City& scenario, const City& baseline) {
+std::set<std::uint32_t> findNewBuildings(const City& scenario, const City& baseline) {
     const City own = keepOwnBuildings(scenario, baseline);
     std::set<const Building*> changed;
     for (const auto& building : own.buildings) changed.insert(building.get());
@@ -302,7 +302,7 @@ Result<void> buildScene(GlazingScene& scene, const City& baseline, const std::st
     auto before = same ? std::optional<ShadedStepFinder>() : makeFinder(scene, casting.before, stop);
     if (!before) return tl::make_unexpected(before.error());
     scene.before = *std::move(before);
-    scene.fresh = findFresh(scene.city, baseline);
+    scene.newBuildings = findNewBuildings(scene.city, baseline);
     if (needsSky(scene.rule)) scene.sky.emplace(collectSkyObstacles(casting.after));
     if (needsSky(scene.rule) && !same) scene.formerSky.emplace(collectSkyObstacles(casting.before));
     scene.engine = scene.by == ShadedStepFinder::By::rays ? "rays" : "horizons with ends by rays";

@@ -1,8 +1,8 @@
 #pragma once
 
 // The folder core/study/glazing evaluates rules about windows. runGlazingReview() (this file) returns a
-// GlazingStudy, prepared by a GlazingScene; window_text.h turns it into tables and JSON,
-// and glazing_text.h says which of its values elevations show.
+// GlazingStudy, prepared by a GlazingScene; glazing_text.h turns it into tables and
+// JSON and says which of its values elevations show.
 
 #include <functional>
 #include <map>
@@ -114,7 +114,7 @@ struct GlazingScene {
     std::optional<SkyTrees> sky, formerSky;             ///< where the rule asks for the sky component
     std::optional<SunPatches> patches;                  ///< where the rule counts trees, and there are some
     std::optional<GlazingCrowns> crowns, formerCrowns;  ///< likewise; former as `before`
-    std::set<std::uint32_t> fresh;                      ///< buildings without former values, by index
+    std::set<std::uint32_t> newBuildings;               ///< buildings without former values, by index
     std::vector<GlazingGroup> groups;
     double prepareSeconds = 0, buildSeconds = 0;
 

@@ -304,7 +304,7 @@ Result<std::string> makeRepeatCommand(const GlazingStudy& study, const ReviewLab
             "No command can repeat this review yet: the project has not been saved in the state "
             "that was reviewed",
             fmt::format("scenario '{}'", labels.to), "Save the project, then review again");
-    CommandWords line("noonmark-cli review run");
+    CommandLineText line("noonmark-cli review run");
     if (ofFiles)
         addCityFiles(line, provenance);
     else

@@ -88,22 +88,22 @@ private:
 
 }  // namespace
 
-void CommandWords::file(const std::string& name) {
+void CommandLineText::file(const std::string& name) {
     pieces_.push_back(quoteForShell(name.starts_with('-') ? "./" + name : name));
 }
 
-void CommandWords::option(const char* name, const std::string& value) {
+void CommandLineText::option(const char* name, const std::string& value) {
     pieces_.push_back(fmt::format("{}{}{}", name, looksLikeOption(value) ? "=" : " ", quoteForShell(value)));
 }
 
-void CommandWords::option(const CommandOption& option) {
+void CommandLineText::option(const CommandOption& option) {
     if (option.values.size() == 1) return this->option(option.name.c_str(), option.values.front());
     std::string piece = option.name;
     for (const std::string& value : option.values) piece += ' ' + quoteForShell(value);
     pieces_.push_back(std::move(piece));
 }
 
-std::string CommandWords::wrapped(std::size_t width) const {
+std::string CommandLineText::wrapped(std::size_t width) const {
     std::string text;
     std::size_t used = 0;
     for (const std::string& piece : pieces_) {
@@ -117,7 +117,7 @@ std::string CommandWords::wrapped(std::size_t width) const {
 
 std::string extendCommand(const std::string& command, const std::vector<CommandOption>& options,
                           std::size_t width) {
-    CommandWords words(command);
+    CommandLineText words(command);
     for (const CommandOption& option : options) words.option(option);
     return words.wrapped(width);
 }
@@ -145,7 +145,7 @@ public:
 
     [[nodiscard]] std::string write(const char* program, const std::string& more,
                                     const std::string& file = {}) const {
-        CommandWords words(program);
+        CommandLineText words(program);
         for (const std::string& name : files_) words.file(name);
         if (!file.empty()) words.file(file);
         for (const CommandOption& option : options_) words.option(option);

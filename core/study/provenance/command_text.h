@@ -12,9 +12,9 @@ namespace noonmark {
 
 /// A noonmark-cli command line for a POSIX shell, piece by piece: words are quoted where a shell could
 /// misread them.
-class CommandWords {
+class CommandLineText {
 public:
-    explicit CommandWords(std::string program) : pieces_{std::move(program)} {}
+    explicit CommandLineText(std::string program) : pieces_{std::move(program)} {}
 
     void file(const std::string& name);
     void option(const char* name, const std::string& value);

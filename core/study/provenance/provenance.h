@@ -2,7 +2,7 @@
 
 // The folder core/study/provenance records what a result was made from, so that others can check and repeat
 // it: Provenance (this file) with the SHA-256 of its input files (sha256.h); the hash of a city and of a
-// study (study_hash.h); the command line that repeats a result (repeat_command.h) or a review
+// study (study_hash.h); the command line that repeats a result or a review
 // (repeat_command.h); and provenance in JSON, in tags of raster files and in columns of tables
 // (provenance_texts.h).
 

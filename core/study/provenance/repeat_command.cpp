@@ -29,7 +29,7 @@ StudySettings settingsToName(const RepeatQuestion& question) {
     return settings;
 }
 
-void addSettings(CommandWords& line, const RepeatQuestion& question) {
+void addSettings(CommandLineText& line, const RepeatQuestion& question) {
     const StudySettings settings = settingsToName(question);
     const std::string_view region = flagOf(studyFields().rows(), "region");
     for (const CommandOption& option : listOptions(studyFields().of(settings), question.flags))
@@ -51,7 +51,7 @@ bool hasOption(const InputFile& file, const std::optional<ReadSettings>& reading
 }
 
 // File names, or paths if two names are equal: paths do not hold elsewhere, but they distinguish the files.
-void addInputs(CommandWords& line, const Provenance& provenance) {
+void addInputs(CommandLineText& line, const Provenance& provenance) {
     const std::vector<InputFile>& inputs = provenance.inputs;
     std::set<std::filesystem::path> names;
     std::vector<const InputFile*> named;
@@ -82,7 +82,7 @@ tl::unexpected<Error> notRepeatable(const Provenance& provenance) {
         "Save the project, then export again: the command names the project file");
 }
 
-void addSource(CommandWords& line, const RepeatQuestion& question) {
+void addSource(CommandLineText& line, const RepeatQuestion& question) {
     const Provenance& provenance = question.provenance;
     if (namesProject(provenance)) {
         line.file(provenance.project->file);
@@ -104,7 +104,7 @@ bool namesCityFiles(const Provenance& provenance) {
     return !provenance.inputs.empty() && provenance.reading.has_value();
 }
 
-void addCityFiles(CommandWords& line, const Provenance& provenance) {
+void addCityFiles(CommandLineText& line, const Provenance& provenance) {
     addInputs(line, provenance);
     for (const CommandOption& option : listOptions(readSettingsFields().of(*provenance.reading)))
         line.option(option);
@@ -113,7 +113,7 @@ void addCityFiles(CommandWords& line, const Provenance& provenance) {
 Result<std::string> makeRepeatCommand(const RepeatQuestion& question, std::size_t width) {
     if (!namesProject(question.provenance) && !namesInputs(question))
         return notRepeatable(question.provenance);
-    CommandWords line("noonmark-cli " + question.command);
+    CommandLineText line("noonmark-cli " + question.command);
     addSource(line, question);
     addSettings(line, question);
     line.option(flags::out, "repeated");
@@ -142,7 +142,7 @@ std::vector<std::string> namesOf(const std::vector<PlaceReview>& reviews) {
 
 }  // namespace
 
-void addRule(CommandWords& line, const Rule& rule) {
+void addRule(CommandLineText& line, const Rule& rule) {
     line.option(flags::rule, rule.key);
     for (const auto& [choice, option] : rule.chosen)
         line.option(flags::choose, fmt::format("{}={}", choice, option));
@@ -157,7 +157,7 @@ Result<std::string> makeRepeatCommand(const ReviewStudy& study, const ReviewLabe
             "No command can repeat this review yet: the project has not been saved in the state that was "
             "reviewed",
             fmt::format("scenario '{}'", labels.to), "Save the project, then export again");
-    CommandWords line("noonmark-cli review run");
+    CommandLineText line("noonmark-cli review run");
     line.file(project->file);
     addRule(line, study.rule);
     line.option(flags::from, labels.from);

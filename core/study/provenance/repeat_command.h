@@ -16,7 +16,7 @@ namespace noonmark {
 bool namesCityFiles(const Provenance& provenance);
 
 /// Adds these files and the options of reading them to a command line. Call it only if namesCityFiles().
-void addCityFiles(CommandWords& line, const Provenance& provenance);
+void addCityFiles(CommandLineText& line, const Provenance& provenance);
 
 /// A question in terms of the command line.
 struct RepeatQuestion {
@@ -58,7 +58,7 @@ struct ReviewLabels {
 
 /// Adds the options that state a rule, the choices in it, and where it is found if it is one of the user's
 /// own.
-void addRule(CommandWords& line, const Rule& rule);
+void addRule(CommandLineText& line, const Rule& rule);
 
 /// The noonmark-cli command line that reproduces a review in a folder with a copy of the project file and of
 /// the rule's file, if the rule is one of the user's own. Error, with advice: the project was not saved in

@@ -42,7 +42,7 @@ Json sunLine(const SunOfPlace& of) {
     Json json = figuresLine(sunOfPlaceFigures().of(of));
     json["cells"] = of.cells;
     json["cell_m"] = of.cellM;
-    json["why"] = int(of.why);
+    json["why"] = int(of.status);
     for (const PlaceRemark remark : of.remarks) json["remarks"].push_back(int(remark));
     json["seasons"] = of.seasonHours;
     json["months"] = of.monthHours;
@@ -55,7 +55,7 @@ SunOfPlace sunFrom(const Json& json) {
     SunOfPlace of = figuresFrom(sunOfPlaceFigures(), json);
     of.cells = json.at("cells");
     of.cellM = json.at("cell_m");
-    of.why = NoSunFigures(json.at("why").get<int>());
+    of.status = PlaceStatus(json.at("why").get<int>());
     for (const Json& remark : json.value("remarks", Json::array()))
         of.remarks.push_back(PlaceRemark(remark.get<int>()));
     of.seasonHours = numbersFrom(json.at("seasons"));

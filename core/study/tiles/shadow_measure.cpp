@@ -81,7 +81,7 @@ Result<ShadowField> ShadowMeasure::accumulate(TileResult& result, EngineInUse& e
             return tl::make_unexpected(done.error());
         const auto off = findOff(result, engine, receivers, *field, progress, stop);
         if (!off) return tl::make_unexpected(off.error());
-        if (!engine.switchToCloser(*off)) return field;
+        if (!engine.switchToMoreExact(*off)) return field;
     }
 }
 

@@ -467,7 +467,7 @@ void checkTables(Database& database) {
         if (isRead(name)) checkTable(database, name, table.columns);
 }
 
-void takeTablesBack(Database& database) {
+void restoreTableDefinitions(Database& database) {
     for (const auto& [name, table] : ourSchema().tables) takeTableBack(database, name, table);
     takeIndexesBack(database);
 }

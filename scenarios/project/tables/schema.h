@@ -39,7 +39,7 @@ void removeSpatialIndexes(Database& database);
 /// Makes our tables exactly ours again, before a save: a constraint or an index that another program added
 /// could make it lose rows in silence. A table that differs is copied into one of ours, with the columns that
 /// were added; foreign indexes are dropped. Throws DatabaseError where its rows do not fit.
-void takeTablesBack(Database& database);
+void restoreTableDefinitions(Database& database);
 
 /// Migrates the tables version by version to schemaVersion, inside the caller's transaction.
 void migrate(Database& database);

@@ -22,12 +22,12 @@ TEST(CsvField, FormulasOfStrangersAreTexts) {
     EXPECT_EQ(csvField("-2+3+cmd|' /C calc'!A0"), "'-2+3+cmd|' /C calc'!A0");
     for (const char* text :
          {"+A1", "-A1+B2", "-1-2", "+'file:///x'#$Sheet.A1", "- the park", "-", "-1 -2", "\tx"})
-        EXPECT_EQ(disarmFormula(text), std::string("'") + text);
+        EXPECT_EQ(escapeFormula(text), std::string("'") + text);
     for (const char* text : {"-5", "+0.5", "-5 m2", "-5 m²", "a=b"}) EXPECT_EQ(csvField(text), text);
     for (const char* text : {" =1", "\u3000=1", "\uFF1D1+1", "\uFF0BA1", "\uFF0D2+3", "\uFF20SUM(A1)",
                              "\uFE66x", "\u22122+3", "'=1"})
-        EXPECT_EQ(disarmFormula(text), std::string("'") + text);
-    for (const char* text : {"\u22125 m2", "'quoted'", "\uFF15", ""}) EXPECT_EQ(disarmFormula(text), text);
+        EXPECT_EQ(escapeFormula(text), std::string("'") + text);
+    for (const char* text : {"\u22125 m2", "'quoted'", "\uFF15", ""}) EXPECT_EQ(escapeFormula(text), text);
 }
 
 TEST(CsvText, NumbersArePlainAndWhatIsNoNumberIsNothing) {

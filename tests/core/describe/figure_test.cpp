@@ -24,9 +24,9 @@ const Figures<Harvest>& harvestFigures() {
     static const Figures<Harvest> figures{
         figure(&Harvest::apples, {.key = "apples", .label = "Apples", .definition = "number of apples"}),
         figure(&Harvest::weightKg, {.key = "weight_kg", .label = "Weight", .decimals = 2}),
-        figure(
-            &Harvest::sugarPct,
-            {.key = "sugar_pct", .label = "Sugar", .whenMissing = std::numeric_limits<double>::quiet_NaN()})};
+        figure(&Harvest::sugarPct, {.key = "sugar_pct",
+                                    .label = "Sugar",
+                                    .valueIfMissing = std::numeric_limits<double>::quiet_NaN()})};
     return figures;
 }
 
@@ -88,7 +88,7 @@ const Figures<Wind>& windFigures() {
                                 .label = "Water",
                                 .unit = FigureUnit::squareMetres,
                                 .use = FigureUse::basis,
-                                .whenPositive = true}),
+                                .onlyIfPositive = true}),
         figure(&Wind::changeM2, {.key = "change_m2",
                                  .label = "Change",
                                  .definition = "more of it",

@@ -113,7 +113,7 @@ TEST(Eaves, OfAVillageAgreeWithRaysInTheCaches) {
     ASSERT_TRUE(shadows.change(whole, receivers, progress, {}));
     EXPECT_LE(offBetween(shadows.field(), truth, receivers).mean, 0.002);
     HorizonCache horizons = HorizonCache::make(fewer, receivers, {0.25, std::uint64_t{1} << 30U}).value();
-    ASSERT_TRUE(horizons.retime(sun, progress, {}));
+    ASSERT_TRUE(horizons.computePeriod(sun, progress, {}));
     const auto changed = horizons.change(whole, receivers, progress, {});
     ASSERT_TRUE(changed);
     EXPECT_LE(offBetween(*changed, truth, receivers).mean, 0.15);

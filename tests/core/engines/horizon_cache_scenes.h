@@ -17,7 +17,7 @@ inline HorizonCache cachedOf(const City& city, const Receivers& receivers,
 
 inline ShadowField retimed(HorizonCache& cache, const SunSteps& sun) {
     NoProgress progress;
-    return cache.retime(sun, progress, {}).value();
+    return cache.computePeriod(sun, progress, {}).value();
 }
 
 inline ShadowField changed(HorizonCache& cache, const City& city, const Receivers& receivers) {

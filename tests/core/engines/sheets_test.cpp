@@ -108,7 +108,7 @@ void expectShadow(const TriangleMesh& mesh, const IsShaded& isShaded) {
     EXPECT_LE(offOf(shadows.field(), receivers, isShaded).mean, 0.05);
     HorizonCache horizons =
         std::move(HorizonCache::make(city, receivers, {1, std::uint64_t{1} << 30U}).value());
-    EXPECT_LE(offOf(horizons.retime(day(), progress, {}).value(), receivers, isShaded).mean, 0.6);
+    EXPECT_LE(offOf(horizons.computePeriod(day(), progress, {}).value(), receivers, isShaded).mean, 0.6);
 }
 
 TEST(Sheets, ACanopyShadesWhatItsOutlineCovers) { expectShadow(canopy(), isUnderCanopy); }

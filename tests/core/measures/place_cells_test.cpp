@@ -65,7 +65,7 @@ TEST(PlaceCells, LeaveOutWhatIsBuiltOnAndGiveTheRestToTheNextCell) {
     const PlaceReceivers cells = cellsOf(city, placeOver({rectangle(2, 0, 10, 10), {}}), 1);
     EXPECT_EQ(cells.cellCount(0), 50U);
     EXPECT_NEAR(areaOf(cells, 0), 5.2 * 10, 1e-3);
-    for (const UnevenCell& cell : cells.unevenOf[0]) EXPECT_NEAR(cell.extra, 0.2, 1e-4);
+    for (const WeightedCell& cell : cells.unevenOf[0]) EXPECT_NEAR(cell.extra, 0.2, 1e-4);
     EXPECT_EQ(cells.unevenOf[0].size(), 10U);
 }
 
@@ -76,7 +76,7 @@ TEST(PlaceCells, OfAPlaceUnderABuildingAreNone) {
 
 TEST(PlaceAreas, WeighEachCellByItsShare) {
     // Three cells of 4 m2; the second counts half, the third one and a half times.
-    const std::vector<UnevenCell> uneven{{1, -0.5}, {2, 0.5}};
+    const std::vector<WeightedCell> uneven{{1, -0.5}, {2, 0.5}};
     PlaceShadow shadow{.cellAreaM2 = 4, .uneven = uneven};
     shadow.baseline = StepMasks(3, 1);
     shadow.scenario = StepMasks(3, 1);

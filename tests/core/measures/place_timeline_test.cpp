@@ -93,7 +93,7 @@ TEST(PlaceTimeline, ALongestStayMayBeLongerByWhatLiesBetweenCells) {
     const std::vector<NeighbourCells> row{{0, 1, 2}};
     shadow.neighbours = row;
     EXPECT_EQ(computeTimeline(shadow).baseline.longest->errorMin, 2 * (1 + 2)) << "2 steps, and one";
-    const std::vector<UnevenCell> uneven{{1, -0.5, true}};
+    const std::vector<WeightedCell> uneven{{1, -0.5, true}};
     shadow.uneven = uneven;
     EXPECT_EQ(computeTimeline(shadow).baseline.longest->errorMin, 2) << "the cell beside it is no spot";
 }

@@ -24,8 +24,8 @@ glm::dvec3 sunAt(double besideDeg, double altitudeDeg) {
     return {std::cos(up) * std::sin(beside), -std::cos(up) * std::cos(beside), std::sin(up)};
 }
 
-bool lets(const RuleGlazing& rule, glm::dvec3 sun, std::size_t point = 0) {
-    return PaneLimits(rule, placePanePoints(rule, middle, {})[point], {}).lets(sun);
+bool admits(const RuleGlazing& rule, glm::dvec3 sun, std::size_t point = 0) {
+    return PaneLimits(rule, placePanePoints(rule, middle, {})[point], {}).admits(sun);
 }
 
 TEST(PanePoints, LieWhereTheRuleSays) {
@@ -52,34 +52,34 @@ TEST(PanePoints, LieWhereTheRuleSays) {
 
 TEST(PaneLimits, AnglesWithThePane) {
     RuleGlazing rule = glazingAt({});
-    EXPECT_TRUE(lets(rule, sunAt(89.9, 5)));
-    EXPECT_FALSE(lets(rule, sunAt(90.1, 5)));
+    EXPECT_TRUE(admits(rule, sunAt(89.9, 5)));
+    EXPECT_FALSE(admits(rule, sunAt(90.1, 5)));
     rule.minSweepDeg = 15;
     for (const double altitude : {1.0, 40.0, 80.0}) {
-        EXPECT_TRUE(lets(rule, sunAt(74.9, altitude))) << altitude;
-        EXPECT_TRUE(lets(rule, sunAt(-74.9, altitude))) << altitude;
-        EXPECT_FALSE(lets(rule, sunAt(75.1, altitude))) << altitude;
+        EXPECT_TRUE(admits(rule, sunAt(74.9, altitude))) << altitude;
+        EXPECT_TRUE(admits(rule, sunAt(-74.9, altitude))) << altitude;
+        EXPECT_FALSE(admits(rule, sunAt(75.1, altitude))) << altitude;
     }
     rule.minSweepDeg = 0;
     rule.sweepOfOpening = true;  // arctan(0.3 / 1.5) = 11.31 degrees
-    EXPECT_TRUE(lets(rule, sunAt(78.6, 30)));
-    EXPECT_FALSE(lets(rule, sunAt(78.8, 30)));
+    EXPECT_TRUE(admits(rule, sunAt(78.6, 30)));
+    EXPECT_FALSE(admits(rule, sunAt(78.8, 30)));
 }
 
 TEST(PaneLimits, TheOpeningOfAThickWall) {
     // From the middle of the inside face, 0.3 m behind: 0.75 m to each edge, arctan(2.5) = 68.2 degrees.
     const RuleGlazing rule = glazingAt({PanePlace::middle, true});
-    EXPECT_TRUE(lets(rule, sunAt(68, 0.1)));
-    EXPECT_FALSE(lets(rule, sunAt(68.4, 0.1)));
-    EXPECT_TRUE(lets(rule, sunAt(0, 68)));
-    EXPECT_FALSE(lets(rule, sunAt(0, 68.4)));
+    EXPECT_TRUE(admits(rule, sunAt(68, 0.1)));
+    EXPECT_FALSE(admits(rule, sunAt(68.4, 0.1)));
+    EXPECT_TRUE(admits(rule, sunAt(0, 68)));
+    EXPECT_FALSE(admits(rule, sunAt(0, 68.4)));
     // At the western end of the sill the sun from the west is hidden; from the east 1.5 m are open: 78.7 deg.
     const RuleGlazing ends = glazingAt({PanePlace::sillEnds, true});
-    EXPECT_FALSE(lets(ends, sunAt(-1, 10), 0));
-    EXPECT_TRUE(lets(ends, sunAt(78, 0.1), 0));
-    EXPECT_FALSE(lets(ends, sunAt(79, 0.1), 0));
-    EXPECT_TRUE(lets(ends, sunAt(-78, 0.1), 1));
-    EXPECT_FALSE(lets(ends, sunAt(1, 10), 1));
+    EXPECT_FALSE(admits(ends, sunAt(-1, 10), 0));
+    EXPECT_TRUE(admits(ends, sunAt(78, 0.1), 0));
+    EXPECT_FALSE(admits(ends, sunAt(79, 0.1), 0));
+    EXPECT_TRUE(admits(ends, sunAt(-78, 0.1), 1));
+    EXPECT_FALSE(admits(ends, sunAt(1, 10), 1));
 }
 
 TEST(PaneLimits, ARoofLightHasNoSweep) {
@@ -87,8 +87,8 @@ TEST(PaneLimits, ARoofLightHasNoSweep) {
     rule.minSweepDeg = 15;
     const SkyPoint light{{0, 0, 9}, {0, 0, 1}};
     const PaneLimits limits(rule, placePanePoints(rule, light, {})[0], {});
-    EXPECT_TRUE(limits.lets(sunAt(90, 5)));
-    EXPECT_FALSE(limits.lets(sunAt(90, -5)));
+    EXPECT_TRUE(limits.admits(sunAt(90, 5)));
+    EXPECT_FALSE(limits.admits(sunAt(90, -5)));
 }
 
 }  // namespace

@@ -200,7 +200,7 @@ TEST(ZurichRule, AllowsThreeHoursOrAsMuchAsTheReferenceBodyAtTheSameSpot) {
 TEST(ZurichRule, CountsTheCellsOnTheEdgeOfAPlaceWithTheirShare) {
     const PaperDay day(on(2026, 2, 8), 480, 1, times(4, lit(540)),
                        times(3, lit(540)) + times(1, shaded(200) + lit(340)));
-    const std::vector<UnevenCell> uneven{{3, -0.7, true}};
+    const std::vector<WeightedCell> uneven{{3, -0.7, true}};
     PlaceShadow shadow = day.shadow;
     shadow.uneven = uneven;
     const Measured over = measureDay(shippedRule("zurich").criteria.at(0), DayShadow(shadow, 0), false);

@@ -9,27 +9,27 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-TEST(CommandWords, AreSplitAsAShellSplitsThem) {
+TEST(CommandLineText, AreSplitAsAShellSplitsThem) {
     EXPECT_EQ(splitCommand("a  b\tc \\\n  d").value(), (Words{"a", "b", "c", "d"}));
     EXPECT_EQ(splitCommand(R"(--a='x y' "q\"r" e\ f '' 'it'\''s')").value(),
               (Words{"--a=x y", "q\"r", "e f", "", "it's"}));
     EXPECT_TRUE(splitCommand("").value().empty());
 }
 
-TEST(CommandWords, WhatAShellWouldRunIsRefused) {
+TEST(CommandLineText, WhatAShellWouldRunIsRefused) {
     for (const char* command :
          {"a; rm b", "a `b`", "a $(b)", "a | b", "a > b", "a 'b", "a \"b", "a *", "a && b"})
         EXPECT_FALSE(splitCommand(command)) << command;
     EXPECT_EQ(splitCommand("'a; rm b' '$(b)'").value(), (Words{"a; rm b", "$(b)"}));
 }
 
-TEST(CommandWords, AnyTextComesBackAsOneWord) {
+TEST(CommandLineText, AnyTextComesBackAsOneWord) {
     std::mt19937 random(16);
     const std::string letters = "ab -='\"\\\n\t$`;|*?é城";
     for (int round = 0; round < 2000; ++round) {
         std::string text;
         for (auto left = random() % 12; left > 0; --left) text += letters[random() % letters.size()];
-        CommandWords line("p");
+        CommandLineText line("p");
         line.option("--name", text);
         line.file("f" + text);
         Words words = splitCommand(line.wrapped(20)).value();
@@ -41,7 +41,7 @@ TEST(CommandWords, AnyTextComesBackAsOneWord) {
     }
 }
 
-TEST(CommandWords, ARecordStatesTheOptionsThatDrawTheSame) {
+TEST(CommandLineText, ARecordStatesTheOptionsThatDrawTheSame) {
     const std::string record = R"({"repeat": "noonmark-cli study a.gpkg --out repeated", "receivers": 1})";
     const std::vector<CommandOption> drawn{{"--show", {"sun"}}, {"--reverse-ramp", {}}};
     EXPECT_EQ(extendRepeat(record, {}), record);

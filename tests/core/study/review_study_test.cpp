@@ -359,7 +359,7 @@ TEST(ReviewStudy, SaysTheSameOfAllRulesWhereTheSunNeverRises) {
             reviewed(rule, city, city, {placeOf("A", 20, 20, 60, 60)}, "Arctic/Longyearbyen");
         for (const PlaceReview& place : study.places) {
             EXPECT_EQ(place.verdict, Verdict::notChecked) << key;
-            EXPECT_EQ(place.unjudged, "No sun in these hours") << key;
+            EXPECT_EQ(place.reasonNotJudged, "No sun in these hours") << key;
         }
         EXPECT_FALSE(reviewJson(study, {"Existing", "Existing", {}})["places"].empty());
     }

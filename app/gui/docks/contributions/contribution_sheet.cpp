@@ -175,7 +175,7 @@ std::vector<ContributionColumn> columnsOfComparison() {
         "The scenario minus the scenario without this building: what it adds alone, on ground that is open "
         "in "
         "both scenarios");
-    return {{QObject::tr("Share, %"), QObject::tr("Of what the new buildings add alone, all together"),
+    return {{QObject::tr("Share, %"), QObject::tr("Share of the sum of what each new building adds alone"),
              FigureUnit::share, 1},
             {QObject::tr("Adds, min a day"), alone + QObject::tr("; mean over the cells"),
              FigureUnit::minutesADay, 2},

@@ -12,7 +12,7 @@ namespace {
 
 // A tab or a line end inside a cell would begin another one.
 QString plainCell(const QString& text) {
-    return QString::fromStdString(disarmFormula(text.simplified().toStdString()));
+    return QString::fromStdString(escapeFormula(text.simplified().toStdString()));
 }
 
 QString lineOf(const QAbstractItemModel& model, int row, const QModelIndex& parent) {

@@ -103,8 +103,7 @@ PlacesDock::PlacesDock(QWidget* parent)
       count_(new QLabel),
       shown_(listField("placesShown", tr("What colours the places: the whole period, one of the dates, or "
                                          "the change against the baseline"))),
-      trees_(listField("placesTrees", tr("Whether trees take their share of the sun of table, map and "
-                                         "headline"))),
+      trees_(listField("placesTrees", tr("Which trees count in the table, the map and the headline"))),
       slider_(new QSlider(Qt::Horizontal)),
       threshold_(numberField(0, maxThreshold, 1, 0.5, tr(" h"))),
       text_(new QLineEdit),

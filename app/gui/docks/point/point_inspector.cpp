@@ -46,7 +46,7 @@ struct InspectedCities {
     std::shared_ptr<const City> baseline;
     std::shared_ptr<const City> scenario;  ///< null: there is nothing to compare with
     std::string from, to;                  ///< their names
-    std::vector<PointCase> cases;          ///< all of the project, if it has scenarios
+    std::vector<PointScenario> cases;      ///< all of the project, if it has scenarios
 };
 
 bool hasScenario(const ProjectSession& session, const std::string& name) {
@@ -54,8 +54,8 @@ bool hasScenario(const ProjectSession& session, const std::string& name) {
                                        session.project().scenarios.end();
 }
 
-std::vector<PointCase> casesOf(ProjectSession& session) {
-    std::vector<PointCase> cases;
+std::vector<PointScenario> casesOf(ProjectSession& session) {
+    std::vector<PointScenario> cases;
     if (session.project().scenarios.empty()) return cases;
     cases.push_back({existingCity, session.project().city});
     for (const Scenario& scenario : session.project().scenarios)

@@ -45,7 +45,8 @@ QToolButton* foldingHeading() {
     auto* heading = new QToolButton;
     heading->setObjectName(QStringLiteral("howMade"));
     heading->setText(ResultsDock::tr("How this was made"));
-    heading->setToolTip(ResultsDock::tr("Period, engine, error, time, and the command that asks the same"));
+    heading->setToolTip(
+        ResultsDock::tr("Period, engine, error, time, and the command that repeats this result"));
     heading->setCheckable(true);
     heading->setAutoRaise(true);
     heading->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

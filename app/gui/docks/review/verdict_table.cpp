@@ -49,7 +49,7 @@ QString describeVerdict(Verdict verdict) {
 }
 
 QString describeVerdict(const PlaceReview& review) {
-    if (review.unjudged == noLimitForPlace) return QObject::tr("– figures only");
+    if (review.reasonNotJudged == noLimitForPlace) return QObject::tr("– figures only");
     return describeVerdict(review.verdict);
 }
 

@@ -260,7 +260,7 @@ QString ScenarioTable::lackAt(const Row& row, const ScenarioColumn& column) cons
     const ScenarioWork work = column.work;
     if (work == ScenarioWork::none || isBaselineOf(row, work)) return {};
     if (isFilled(answersOf(row), work)) return tr("not counted");
-    if (!row.city) return tr("base missing");
+    if (!row.city) return tr("starting scenario missing");
     if (work == ScenarioWork::scoring && !basis_.hasWeights) return tr("no weights");
     if (work == ScenarioWork::reviewing && basis_.rule.empty()) return tr("no rule");
     if (working_.contains(work)) return beingDone(work);

@@ -267,7 +267,9 @@ void OpeningActions::showGuesses() {
         lines << tr("The time zone %1 is a guess; %2 is also nearby.")
                      .arg(zone.zone, zone.others.join(QStringLiteral(", ")));
     const std::size_t far = workbench_.city()->arrays->mainPart.farBuildings;
-    if (far > 0) lines << tr("%1 far building(s) left aside.", "", pluralNumber(far)).arg(formatCount(far));
+    if (far > 0)
+        lines << tr("%1 far building(s) left out of the first view.", "", pluralNumber(far))
+                     .arg(formatCount(far));
     const auto areSamples = [](const QStringList& files) {
         return std::ranges::any_of(files, &RecentFiles::isSampleEntry);
     };

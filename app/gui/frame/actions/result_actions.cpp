@@ -104,7 +104,7 @@ std::vector<ExportDialog::Subject> ResultActions::exportSubjects() const {
     if (workbench_.answer()) subjects.push_back({Subject::shown, shownText()});
     if (const auto place = workbench_.placeShown())
         subjects.push_back(
-            {Subject::place, tr("What buildings take from %1").arg(placeName(place->place.name))});
+            {Subject::place, tr("Contributions to the shadow on %1").arg(placeName(place->place.name))});
     if (const auto measured = workbench_.measuredScenarios(); measured.size() > 1)
         subjects.push_back(
             {Subject::scenarios, tr("All %1 scenario(s) measured", "", pluralNumber(measured.size()))

@@ -72,7 +72,7 @@ Result<ShadowField> SharedHorizonCache::counted(const City& city, const Receiver
     HorizonCache& horizons = state_->horizons;
     const bool otherCity = !state_->known || !same(state_->city, city) || state_->kind != receivers.kind;
     if (!counted_ || (!otherCity && counts == ShadowCounts::gross)) {
-        auto field = horizons.retime(sun_, progress, stop, otherCity ? ShadowCounts::gross : counts);
+        auto field = horizons.computePeriod(sun_, progress, stop, otherCity ? ShadowCounts::gross : counts);
         if (!field || !otherCity) return field;
         counted_ = true;
     }

@@ -107,9 +107,9 @@ void EditTools::makeActions() {
 void EditTools::makeLiveActions() {
     facades_ = action(tr("Li&ve facades"), QKeySequence(tr("Shift+F")),
                       tr("Shows the sunlight of a building's facades while it is designed or changed"));
-    change_ = action(tr("Live change"), QKeySequence(tr("Shift+L")),
-                     tr("Shows what a building changes while it is designed or changed, compared with the "
-                        "baseline, instead of the shadow with it"));
+    change_ =
+        action(tr("Live change"), QKeySequence(tr("Shift+L")),
+               tr("While a building is edited: show the change against the baseline instead of all shadow"));
     for (QAction* one : {facades_, change_}) one->setCheckable(true);
     facades_->setChecked(true);
     connect(facades_, &QAction::toggled, this, [this](bool on) {

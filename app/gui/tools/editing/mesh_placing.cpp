@@ -134,10 +134,9 @@ void PlacingPanel::showMiddle(LonLat middle) {
 void PlacingPanel::setEarlier(const QString& building) {
     reload_->setVisible(!building.isEmpty());
     if (!building.isEmpty())
-        what_->setText(
-            tr("%1: an earlier edition stands as %2. Reload replaces it where it stands; Build adds "
-               "another.")
-                .arg(file_, building));
+        what_->setText(tr("%1: an earlier version of this file is in the scenario as %2. Reload replaces it; "
+                          "Build adds another.")
+                           .arg(file_, building));
 }
 
 void PlacingPanel::showWarnings(const Warnings& warnings) {

@@ -47,8 +47,8 @@ QString describeSource(HeightSource source) {
     return {};
 }
 
-Result<MassConstraint> massOf(const Building& building, const City& city,
-                              double storeyHeightM = defaultStoreyM) {
+Result<PreservedFloorArea> massOf(const Building& building, const City& city,
+                                  double storeyHeightM = defaultStoreyM) {
     return massOf(building, double(findGroundUnder(building, city)), storeyHeightM);
 }
 

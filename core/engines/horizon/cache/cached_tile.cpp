@@ -70,10 +70,11 @@ void CachedTile::dropPages() {
     paged_ = false;
 }
 
-std::size_t CachedTile::retime(const Receivers& receivers, const WallCache& walls, const BinnedSun& binned,
-                               Progress& progress, const std::stop_token& stop) {
+std::size_t CachedTile::computePeriod(const Receivers& receivers, const WallCache& walls,
+                                      const BinnedSun& binned, Progress& progress,
+                                      const std::stop_token& stop) {
     const std::size_t swept = sweep(receivers, walls, binned, progress, stop);
-    count_.retime(blocks_, bins_, binned, stop);
+    count_.computePeriod(blocks_, bins_, binned, stop);
     return swept;
 }
 

@@ -25,8 +25,8 @@ public:
     /// Counts a period. Bins whose suns are those of the previous period are skipped; for others, only added
     /// and removed suns are counted. `bins`: by number; those of the period must be cached. After a stop, the
     /// next call counts everything.
-    void retime(const ReceiverBlocks& blocks, std::span<const CachedBin> bins, const BinnedSun& binned,
-                const std::stop_token& stop);
+    void computePeriod(const ReceiverBlocks& blocks, std::span<const CachedBin> bins, const BinnedSun& binned,
+                       const std::stop_token& stop);
 
     /// Resets the sums of these numbers to zero.
     void beginNew(const ReceiverBlocks& blocks, std::span<const std::uint32_t> numbers);
@@ -101,8 +101,8 @@ public:
     /// Sweeps the bins that are not cached or do not reach low enough, and counts the period; bins whose suns
     /// are those of the previous period are not counted again. Returns the number of bins swept. `progress`
     /// is updated after each bin.
-    std::size_t retime(const Receivers& receivers, const WallCache& walls, const BinnedSun& binned,
-                       Progress& progress, const std::stop_token& stop);
+    std::size_t computePeriod(const Receivers& receivers, const WallCache& walls, const BinnedSun& binned,
+                              Progress& progress, const std::stop_token& stop);
 
     /// Updates the tile after a change of the city: buildings were removed and added, and `cells` became
     /// receivers, ceased to be receivers or lie at another height. Only horizons that may change are

@@ -113,7 +113,8 @@ struct HorizonCache::State {
     std::size_t sweep(CachedTile& tile, ShadowCounts counts, Progress& progress,
                       const std::stop_token& stop) {
         std::size_t swept = 0;
-        timed("sweep", [&] { swept = tile.retime(receivers, walls, period->binned(), progress, stop); });
+        timed("sweep",
+              [&] { swept = tile.computePeriod(receivers, walls, period->binned(), progress, stop); });
         write(tile, counts, stop);
         return swept;
     }
@@ -212,8 +213,8 @@ Result<HorizonCache> HorizonCache::make(const City& city, const Receivers& recei
     return HorizonCache(std::make_unique<State>(settings, receivers, WallCache::of(city, receivers)));
 }
 
-Result<ShadowField> HorizonCache::retime(const SunSteps& sun, Progress& progress, std::stop_token stop,
-                                         ShadowCounts counts) {
+Result<ShadowField> HorizonCache::computePeriod(const SunSteps& sun, Progress& progress, std::stop_token stop,
+                                                ShadowCounts counts) {
     return state_->guarded([&]() -> Result<ShadowField> {
         if (const auto able = checkHorizonDays(sun); !able) return tl::make_unexpected(able.error());
         state_->begin(sun);

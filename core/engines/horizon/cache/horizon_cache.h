@@ -49,8 +49,8 @@ public:
     /// and bin whose suns differ from the previous period, and the search for longest runs if wanted. Error:
     /// whatever the horizon sweep refuses; the limit on overhangs applies to those from which the period's
     /// suns may cast shadow into the region.
-    Result<ShadowField> retime(const SunSteps& sun, Progress& progress, std::stop_token stop,
-                               ShadowCounts counts = ShadowCounts::grossAndRuns);
+    Result<ShadowField> computePeriod(const SunSteps& sun, Progress& progress, std::stop_token stop,
+                                      ShadowCounts counts = ShadowCounts::grossAndRuns);
 
     /// The field of the current period in another city. `receivers`: on the same grid and region. Buildings
     /// that the cities share by address are unchanged. Cost: proportional to the removed and added shadows.

@@ -120,7 +120,7 @@ WallCache WallCache::of(const City& city, const Receivers& receivers) {
     const ChangedBuildings all = findChangedBuildings({}, city.buildings);
     walls.replace(all, walls.collectWalls(all.added), city.buildings);
     walls.firstOfLast_ = walls.next_;
-    walls.noteBefore(false);
+    walls.rememberCounts(false);
     return walls;
 }
 
@@ -150,11 +150,11 @@ WallCache::AddedWalls WallCache::collectWalls(const Buildings& buildings) const 
 
 WallChange WallCache::replace(const ChangedBuildings& changed, AddedWalls more, const Buildings& now) {
     const Owners removed = ownersOf(changed.removed);
-    dropLostWalls();
+    compactWalls();
     const bool undoesLast = wereAddedLast(removed);
     for (const auto& building : changed.removed) forget(building.get(), removed);
     WallChange change{.removed = remove(removed), .added = {}, .undoesLast = undoesLast};
-    noteBefore(undoesLast);
+    rememberCounts(undoesLast);
     change.added = add(std::move(more.list), std::move(more.overhangs));
     firstOfLast_ = next_;
     for (const auto& building : changed.added) numbers_.emplace(building.get(), next_++);
@@ -163,9 +163,9 @@ WallChange WallCache::replace(const ChangedBuildings& changed, AddedWalls more, 
 }
 
 // Called before additions: all current occluders count as present before the change.
-void WallCache::noteBefore(bool undoesLast) {
+void WallCache::rememberCounts(bool undoesLast) {
     solidsBefore_ = list_.solids.size();
-    if (!undoesLast) noteCircles();
+    if (!undoesLast) updateCircles();
 }
 
 WallCache::Owners WallCache::ownersOf(const Buildings& buildings) const {
@@ -214,7 +214,7 @@ WallSet WallCache::remove(const Owners& owners) {
 }
 
 // Walls of removed prisms stay until they are half of all walls.
-void WallCache::dropLostWalls() {
+void WallCache::compactWalls() {
     if (list_.walls.size() <= 2 * wallsUsed_ + 1000) return;
     std::vector<StandingWall> walls;
     for (StandingPrism& prism : list_.prisms) {
@@ -225,18 +225,18 @@ void WallCache::dropLostWalls() {
     list_.walls = std::move(walls);
 }
 
-void WallCache::noteCircles() {
+void WallCache::updateCircles() {
     circles_.clear();
     for (const StandingPrism& prism : list_.prisms) {
         const glm::dvec2 middle = (prism.low + prism.high) / 2.0;
         circles_.push_back({float(middle.x), float(middle.y),
                             float(glm::length(prism.high - middle)) + 1});  // exceeds rounding
     }
-    noteSquares();
+    updateSquares();
 }
 
 // A counting sort.
-void WallCache::noteSquares() {
+void WallCache::updateSquares() {
     squares_.clear();
     order_.resize(circles_.size());
     if (circles_.empty()) return;

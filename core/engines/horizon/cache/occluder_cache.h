@@ -98,10 +98,10 @@ private:
     WallSet remove(const Owners& owners);
     void forget(const Building* building, const Owners& owners);
     [[nodiscard]] bool wereAddedLast(const Owners& owners) const;
-    void dropLostWalls();
-    void noteBefore(bool undoesLast);
-    void noteCircles();
-    void noteSquares();
+    void compactWalls();
+    void rememberCounts(bool undoesLast);
+    void updateCircles();
+    void updateSquares();
 
     Grid grid_;
     std::shared_ptr<const Terrain> terrain_;

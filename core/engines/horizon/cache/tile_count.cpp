@@ -35,8 +35,8 @@ std::vector<NumberRange> linesOfReceivers(const ReceiverBlocks& blocks, std::siz
 
 }  // namespace
 
-void TileCount::retime(const ReceiverBlocks& blocks, std::span<const CachedBin> bins, const BinnedSun& binned,
-                       const std::stop_token& stop) {
+void TileCount::computePeriod(const ReceiverBlocks& blocks, std::span<const CachedBin> bins,
+                              const BinnedSun& binned, const std::stop_token& stop) {
     if (!stop.stop_requested()) addHidden(blocks, bins, changesFor(blocks, bins, binned), stop);
     if (stop.stop_requested()) *this = {};
     allOld(blocks);

@@ -65,8 +65,8 @@ public:
     SavedStudy(HorizonCache kept, const Work& work) : kept_(std::move(kept)), work_(work) {}
 
     /// Time for gross shadow, seconds.
-    Result<double> retime(const SunSteps& sun) {
-        return timed([&] { return kept_.retime(sun, silent_, work_.stop, ShadowCounts::gross); });
+    Result<double> computePeriod(const SunSteps& sun) {
+        return timed([&] { return kept_.computePeriod(sun, silent_, work_.stop, ShadowCounts::gross); });
     }
     Result<double> change(const TowerPlace& state) {
         return timed([&] {
@@ -127,7 +127,7 @@ Result<void> addBoth(std::vector<double>& times, SavedStudy& study, const Result
 }
 
 Result<void> addFull(EditTimes& times, SavedStudy& study, const SunSteps& year) {
-    const Result<double> gross = study.retime(year);
+    const Result<double> gross = study.computePeriod(year);
     const Result<void> state = add(times.gross, gross);
     return state ? addBoth(times.both, study, gross) : state;
 }
@@ -147,13 +147,13 @@ Result<void> addEdits(EditTimes& times, SavedStudy& study, const TowerPlace& her
 Result<void> addRetimes(EditTimes& times, SavedStudy& study, const SunSteps& year, const SunSteps& shorter,
                         int runs) {
     Result<void> state;
-    const auto back = [&] { return study.retime(year).map([](double) {}); };
+    const auto back = [&] { return study.computePeriod(year).map([](double) {}); };
     for (int run = 0; run < runs && state; ++run) {
-        state = add(times.gross, study.retime(shorter));
+        state = add(times.gross, study.computePeriod(shorter));
         if (state) state = back();
     }
     for (int run = 0; run < runs && state; ++run) {
-        state = addBoth(times.both, study, study.retime(shorter));
+        state = addBoth(times.both, study, study.computePeriod(shorter));
         if (state) state = back();
     }
     return state;

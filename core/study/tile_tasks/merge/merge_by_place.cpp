@@ -177,11 +177,11 @@ private:
             return failure("No place of the plan has been measured yet", folder_.string(), "Run its tasks");
         SunOfCities all{of(0), {}};
         const Observer observer = observerOf();
-        if (auto framed = frameSun(all.baseline, observer, stop); !framed)
+        if (auto framed = prepareSunByPlace(all.baseline, observer, stop); !framed)
             return tl::make_unexpected(framed.error());
         for (std::size_t i = 1; i < cities_.size(); ++i) {
             ComparedSun compared{of(i), {}};
-            if (auto framed = frameSun(compared.sun, observer, stop); !framed)
+            if (auto framed = prepareSunByPlace(compared.sun, observer, stop); !framed)
                 return tl::make_unexpected(framed.error());
             for (const auto& line : lines_) compared.changes.push_back(line->changes[i - 1]);
             for (const TreeColumns column : columns_) {

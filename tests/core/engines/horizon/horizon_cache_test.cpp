@@ -69,7 +69,7 @@ TEST(HorizonCache, TheSweepOfOneTileSaysHowFarItIs) {
     } heard;
     const City city = blocks(2, 3);
     HorizonCache cache = cachedOf(city, smallRegion(city));
-    ASSERT_TRUE(cache.retime(someDays(30, 3), heard, {}, ShadowCounts::gross));
+    ASSERT_TRUE(cache.computePeriod(someDays(30, 3), heard, {}, ShadowCounts::gross));
     EXPECT_GT(heard.fractions.size(), 50U);
     EXPECT_GT(*heard.fractions.begin(), 0);
     EXPECT_EQ(*heard.fractions.rbegin(), 1);
@@ -126,7 +126,7 @@ TEST(HorizonCache, LongestRunsMayBeCountedLater) {
     const std::vector<SunSteps> periods{someDays(25, 3), someDays(25, 2), someDays(50, 2)};
     for (int round = 0; round < 60; ++round) {
         const SunSteps& sun = periods[std::size_t(round) % periods.size()];
-        cache.retime(sun, progress, {}, ShadowCounts::gross).value();
+        cache.computePeriod(sun, progress, {}, ShadowCounts::gross).value();
         editAnything(city, random);
         receivers = smallRegion(city, 4);
         const ShadowField gross = cache.change(city, receivers, progress, {}, ShadowCounts::gross).value();
@@ -169,7 +169,7 @@ TEST(HorizonCache, RefuseWhatTheyCannotDo) {
               std::string::npos);
     EXPECT_TRUE(sameField(changed(cache, city, receivers), fresh(city, receivers, someDays(40, 1))));
     NoProgress silent;
-    EXPECT_FALSE(cachedOf(laden, receivers).retime(someDays(40, 1), silent, {}));
+    EXPECT_FALSE(cachedOf(laden, receivers).computePeriod(someDays(40, 1), silent, {}));
 }
 
 TEST(HorizonCache, WhatHangsOutOfReachIsNotCounted) {
@@ -194,7 +194,7 @@ TEST(HorizonCache, AfterAStopTheyAreWholeAgain) {
     std::stop_source source;
     source.request_stop();
     NoProgress progress;
-    EXPECT_TRUE(isCancelled(cache.retime(someDays(40, 1), progress, source.get_token()).error()));
+    EXPECT_TRUE(isCancelled(cache.computePeriod(someDays(40, 1), progress, source.get_token()).error()));
     EXPECT_TRUE(sameField(retimed(cache, someDays(40, 1)), fresh(city, receivers, someDays(40, 1))));
     City less = city;
     less.buildings.pop_back();

@@ -149,7 +149,7 @@ TEST(SunByPlace, APlaceBelowABuildingIsListedAndNotDropped) {
     EXPECT_TRUE(std::isnan(sun.sun[0].meanHours));
     ASSERT_FALSE(sun.warnings.empty());
     EXPECT_EQ(sun.warnings.back().where, "Inside");
-    EXPECT_EQ(sun.sun[0].why, NoSunFigures::builtOver);
+    EXPECT_EQ(sun.sun[0].status, PlaceStatus::builtOver);
 }
 
 // What a place is listed with in each output.

@@ -131,7 +131,7 @@ TEST_P(ByPlacePlan, EqualsThePlacesMeasuredAtOnceToTheLastDigit) {
         expectClose(a.dateHours[0], b.dateHours[0]);
     }
     EXPECT_LT(tiled.sun[1].minHours, tiled.sun[1].maxHours) << "shadow is there to be measured";
-    EXPECT_EQ(tiled.sun[4].why, NoSunFigures::builtOver);
+    EXPECT_EQ(tiled.sun[4].status, PlaceStatus::builtOver);
     EXPECT_EQ(tiled.possibleHours, whole.possibleHours);
     EXPECT_EQ(tiled.months, whole.months);
 }
