@@ -120,7 +120,10 @@ Result<SpotFinder> prepareSpots(const Rule& rule, const PreparedReview& prepared
 
 /// Rays at the points around the worst spots of each place, at every step in each city.
 double estimateSpotSeconds(const Rule& rule, const PreparedReview& prepared, EngineLoad load) {
-    load.receivers = prepared.measured.places.size() * listSpotSearches(rule).size() * pointsOfASearch;
+    const std::size_t searches = listSpotSearches(rule).size();
+    load.receivers = 0;
+    for (std::size_t place = 0; place < prepared.measured.places.size(); ++place)
+        load.receivers += expectPoints(prepared.scene.receivers.cellCount(place), searches);
     return double(prepared.scene.cities().size()) * estimateSeconds(load).ray;
 }
 

@@ -258,6 +258,12 @@ Suspects listSuspects(const PlaceShadow& shadow, Quantity quantity, const std::v
     return suspects;
 }
 
+// The first round has four points in a cell at most; the others look around few spots, which searches share.
+std::size_t expectPoints(std::size_t cells, std::size_t searches) {
+    constexpr std::size_t first = 220, others = 40;
+    return cells == 0 ? 0 : std::min(searches * first, 4 * cells) + searches * others;
+}
+
 std::vector<PlaceShadow> refineWorstSpots(std::size_t place, const PlaceShadow& shadow,
                                           const PlacePoints& points, std::span<const SpotSearch> searches) {
     std::vector<PlaceShadow> near;

@@ -99,10 +99,12 @@ inline constexpr double spotDistanceCells = 1.0 / 16;
 
 /// The shadow at points around the worst cells of a place on one day and around its Suspects, ever closer to
 /// the worst of them, down to spotDistanceCells: a cell's centre states nothing about the ground beside a
-/// wall, and a shadow's edge crosses a cell in minutes. One list of points for each distance. Some
-/// pointsOfASearch for each search that finds shadow; a ray each for every step and city.
+/// wall, and a shadow's edge crosses a cell in minutes. One list of points for each distance; expectPoints()
+/// in all, a ray each for every step and city.
 std::vector<PlaceShadow> refineWorstSpots(std::size_t place, const PlaceShadow& shadow,
                                           const PlacePoints& points, std::span<const SpotSearch> searches);
-inline constexpr std::size_t pointsOfASearch = 300;
+/// How many points so many searches look at on a day, on a place of so many cells. Measured; within a factor
+/// of two.
+std::size_t expectPoints(std::size_t cells, std::size_t searches);
 
 }  // namespace noonmark
