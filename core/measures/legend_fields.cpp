@@ -73,8 +73,8 @@ const Fields<LegendChoice>& legendFields() {
                     {.key = "map_trees",
                      .flag = "--map-trees",
                      .label = NM_TEXT("Trees on maps"),
-                     .help = NM_TEXT("Which shadow maps and sheets of studies and comparisons show where "
-                                     "trees reach; files of values hold all that were measured"),
+                     .help = NM_TEXT("Which shadow maps and sheets show where trees reach; files of "
+                                     "values hold all that were measured"),
                      .role = SettingRole::none}),
     };
     return fields;
