@@ -196,6 +196,48 @@ TEST(MeasuredAnswers, TheOldestAreLeftOutWhereMapsAreTooLarge) {
     SavedResult result{.name = "Old", .kind = "study", .grid = {0, 0, 1, 5000, 5000}, .layers = {{}, {}}};
     MeasuredAnswers measured;
     for (const char* name : {"Old", "New"}) {
+// What was shown is seen on after a change of the buildings, as of before it, and is valid again after undo.
+TEST_F(MeasuredAnswersWindow, ASavedAnswerIsGreyAfterAnEditAndValidAgainAfterItsUndo) {
+    session().goTo("Tower");
+    study();
+    keep("June");
+    const QString area = figures()[figures().indexOf(QStringLiteral("Shadow area")) + 1];
+    window->mode().setMode(ViewMode::exploration);  // nothing is computed automatically
+    saveAndOpenAgain();
+    showSaved("June");
+    const auto& results = *window->findChild<ResultsDock*>();
+    ASSERT_FALSE(results.faded());
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
+    ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+    EXPECT_FALSE(workbench().answer());
+    EXPECT_TRUE(figures().contains(area)) << figures().join(u'\n').toStdString();
+    EXPECT_TRUE(results.faded());
+    EXPECT_TRUE(note().contains(QStringLiteral("Outdated"))) << note().toStdString();
+    workbench().document().undoStack().undo();
+    ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+    EXPECT_TRUE(workbench().answerAs<SavedContent>());
+    EXPECT_TRUE(figures().contains(area));
+    EXPECT_FALSE(results.faded()) << note().toStdString();
+}
+
+TEST_F(MeasuredAnswersWindow, AScoreIsThereAgainAfterTheUndoOfTwoEdits) {
+    session().goTo("Tower");
+    workbench().runScore("default");
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ScoreAnswer>() != nullptr; }));
+    for (const double heightM : {20.0, 30.0}) {
+        ASSERT_TRUE(session().addEdits({ChangeHeight{"New", heightM}}, QStringLiteral("lower")));
+        ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+        EXPECT_TRUE(contentOf<ScoreAnswer>(workbench().past()));
+    }
+    for (int step = 0; step < 2; ++step) {
+        EXPECT_FALSE(workbench().answer());
+        workbench().document().undoStack().undo();
+        ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+    }
+    EXPECT_TRUE(workbench().answerAs<ScoreAnswer>());
+    EXPECT_FALSE(workbench().past());
+}
+
         result.name = name;
         result.layers.resize(std::string(name) == "Old" ? 2 : 1);
         measured.push_back(
