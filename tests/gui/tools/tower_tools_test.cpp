@@ -92,6 +92,21 @@ TEST_F(EditToolsTest, UsesAreListedWithTheirAreas) {
     const QString figures = field<QLabel>(tools.massingDock(), "figures").text();
     EXPECT_TRUE(figures.contains(QStringLiteral("Retail, 1 storey"))) << figures.toStdString();
     EXPECT_TRUE(figures.contains(QStringLiteral("Offices, 9 storeys"))) << figures.toStdString();
+TEST_F(EditToolsTest, AFurtherTowerBeginsAsTheOneBeforeIt) {
+    drawLot({{-40, -65}, {40, -65}, {40, -15}, {-40, -15}});
+    auto& panel = *static_cast<MassingPanel*>(tools.massingDock());
+    TowerDraft draft = panel.draft();
+    draft.settings.storeys = 12;
+    draft.settings.plate = {.areaM2 = 500};
+    panel.showDraft(draft);
+    Q_EMIT panel.edited();
+    field<QPushButton>(&panel, "addTower").click();
+    ASSERT_EQ(tools.tower().draft()->settings.further.size(), 1U);
+    EXPECT_EQ(tools.tower().draft()->settings.further.front().storeys, 12);
+    EXPECT_EQ(tools.tower().draft()->settings.further.front().plate, (PlateSize{.areaM2 = 500}));
+    EXPECT_EQ(panel.message().toStdString(), "");
+}
+
     EXPECT_TRUE(figures.contains(QStringLiteral("22,500"))) << figures.toStdString();
     field<QPushButton>(tools.massingDock(), "removeUse").click();
     tools.tower().build();

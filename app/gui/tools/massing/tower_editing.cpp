@@ -84,6 +84,7 @@ void TowerEditing::take() {
     if (!draft_) return;
     draft_ = panel_.draft();
     show();
+// A further tower that is added takes the plate of the one before it, where its piece of the lot has room.
 }
 
 void TowerEditing::fit(const FloorAreaTarget& target) {
