@@ -405,6 +405,7 @@ void MainWindow::connectElementForms() {
             QStringList lots, places;
             const Project& project = workbench_.session().project();
             for (const NamedLot& lot : project.lots) lots << QString::fromStdString(lot.name);
+    connect(&tools_, &EditTools::regionRequested, &region_, &RegionActions::change);
             for (const Place& place : project.places) places << QString::fromStdString(place.name);
             places.sort(Qt::CaseInsensitive);
             form->setNames(lots, places);
