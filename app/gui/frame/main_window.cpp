@@ -9,6 +9,8 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
+#include <QToolButton>
+#include <algorithm>
 #include <utility>
 
 #include "app/gui/base/files/file_dialogs.h"
@@ -212,6 +214,9 @@ void MainWindow::makeToolBars(const WindowActions& actions) {
     QAction* paper = bar->addAction(tr("As in the paper"), this, &MainWindow::useMapsOfPaper);
     paper->setObjectName(QStringLiteral("paperMaps"));
     paper->setToolTip(
+    bar->addAction(help_.questions());
+    if (auto* ask = qobject_cast<QToolButton*>(bar->widgetForAction(help_.questions())))
+        ask->setPopupMode(QToolButton::InstantPopup);
         tr("Now by shadow accrual maps, studies and reviews by inverse accrual maps through the "
            "direction graph.\nApproximate: the legend states the measured error. Undo takes the "
            "method of the study back"));
@@ -659,3 +664,4 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 }  // namespace noonmark
+    help_.closeStart();
