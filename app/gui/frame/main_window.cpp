@@ -50,7 +50,10 @@ namespace {
 constexpr const char* chosenWeightsKey = "weights";     // in Project::view: the table of the dock Weights
 constexpr const char* kindKey = "question";             // likewise: what the dock Study asks
 constexpr const char* placesAskedKey = "places_asked";  // likewise: of which places, and which sun is enough
-constexpr const char* placesListedKey = "places_listed";  // likewise: what the table of places lists
+constexpr const char* placesListedKey = "places_listed";    // likewise: what the table of places lists
+constexpr const char* comparedKey = "compared";             // likewise: two scenarios in the view
+constexpr const char* clockKey = "clock";                   // likewise: the moment whose sun is shown
+constexpr const char* inFrontProperty = "noonmarkInFront";  // of a dock: it is seen among its tabs
 constexpr int layoutVersion = 13;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
@@ -586,6 +589,11 @@ void MainWindow::showProject() {
     saving_.takeProject();
     display_.forget();
     view_.restore();
+    const auto keep = [&project](const char* key, std::string text) {
+        text.empty() ? void(project.view.erase(key)) : void(project.view[key] = std::move(text));
+    };
+    keep(comparedKey, comparing_.choice());
+    keep(clockKey, time_.choice());
     const auto& saved = workbench_.session().project().view;
     if (const auto weights = saved.find(chosenWeightsKey); weights != saved.end())
         docks_.weights->choose(weights->second);
@@ -599,7 +607,12 @@ void MainWindow::showProject() {
     if (workbench_.session().recovered()) help_.closeStart();
     if (workbench_.running().busy()) showAnswerPanel();  // what was shown when it was saved
     recovery_.offer();
-    if (mode_.mode() == ViewMode::exploration) time_.showPresent();
+    const auto kept = [&saved](const char* key) {
+        const auto text = saved.find(key);
+        return text == saved.end() ? std::string() : text->second;
+    };
+    comparing_.restore(kept(comparedKey));
+    if (!time_.restore(kept(clockKey)) && mode_.mode() == ViewMode::exploration) time_.showPresent();
 }
 
 // Whether a comparison is asked for follows from the baseline.
@@ -665,3 +678,4 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 }  // namespace noonmark
     help_.closeStart();
+    comparing_.restore(before.comparing_.choice());

@@ -6,7 +6,9 @@
 
 #include "app/gui/docks/results/results_dock.h"
 #include "app/gui/docks/study_form/study_dock.h"
+#include "app/gui/view/compare/compare_actions.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "app/gui/view/time/time_strip.h"
 #include "tests/gui/answers_window.h"
 
 namespace noonmark {
@@ -127,6 +129,24 @@ TEST_F(MeasuredAnswersWindow, AScoreByAnotherWeightTableReplacesNone) {
     EXPECT_EQ(workbench().measured().size(), before + 1) << "the same question as in the file";
 }
 
+TEST_F(MeasuredAnswersWindow, TwoScenariosAndTheMomentOfTheClockAreThereAgain) {
+    session().goTo("Tower");
+    ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+    CompareActions& comparing = window->comparing();
+    comparing.findChild<QAction*>(QStringLiteral("compareBeside"))->trigger();
+    const auto isBeside = [this] { return window->panel().view().sides().layout == SideLayout::beside; };
+    ASSERT_TRUE(waitFor(isBeside));
+    const int year = int(window->panel().time().look().date.year());
+    const ShownTime noon{ShownSpan::moment,
+                         {std::chrono::year(year), std::chrono::December, std::chrono::day(21)},
+                         std::chrono::minutes(12 * 60 + 30)};
+    window->panel().time().choose(noon);
+    saveAndOpenAgain();
+    EXPECT_TRUE(waitFor(isBeside));
+    EXPECT_EQ(comparing.choice(), "compareBeside Existing");
+    EXPECT_EQ(window->panel().time().look(), noon);
+}
+
 // Chosen from the list, an answer is shown: nothing is computed, and what is being computed goes on.
 TEST_F(MeasuredAnswersWindow, ShowingAComparisonFromTheListStartsNoRun) {
     session().goTo("Tower");
@@ -176,26 +196,6 @@ TEST_F(MeasuredAnswersWindow, WhatIsSavedUnderANameIsInTheFileOnce) {
         std::ranges::count(file.results, std::string("June"), [](const auto& one) { return one->name; }), 1);
 }
 
-TEST(MeasuredAnswers, NamesThatTheUserHasTakenSinceAreNumberedAndAnyTextIsRead) {
-    SavedResult result{.name = "Study", .kind = "study", .grid = {0, 0, 1, 1, 1}};
-    const auto one = std::make_shared<const SavedResult>(result);
-    Project project;
-    project.results.push_back(one);
-    Project saved = withMeasured(project, {std::make_shared<const MeasuredAnswer>(one)});
-    ASSERT_EQ(saved.results.size(), 2U);
-    EXPECT_NE(saved.results[1]->name, "Study");
-    EXPECT_EQ(takeMeasured(saved).size(), 1U);
-    EXPECT_EQ(saved.results.size(), 1U);
-    for (const char* text : {"", "{", "[1,null,\"Study 9\"]", "{\"a\":1}"}) {
-        saved.view["measured"] = text;
-        EXPECT_TRUE(takeMeasured(saved).empty()) << text;
-    }
-}
-
-TEST(MeasuredAnswers, TheOldestAreLeftOutWhereMapsAreTooLarge) {
-    SavedResult result{.name = "Old", .kind = "study", .grid = {0, 0, 1, 5000, 5000}, .layers = {{}, {}}};
-    MeasuredAnswers measured;
-    for (const char* name : {"Old", "New"}) {
 // What was shown is seen on after a change of the buildings, as of before it, and is valid again after undo.
 TEST_F(MeasuredAnswersWindow, ASavedAnswerIsGreyAfterAnEditAndValidAgainAfterItsUndo) {
     session().goTo("Tower");
@@ -238,6 +238,26 @@ TEST_F(MeasuredAnswersWindow, AScoreIsThereAgainAfterTheUndoOfTwoEdits) {
     EXPECT_FALSE(workbench().past());
 }
 
+TEST(MeasuredAnswers, NamesThatTheUserHasTakenSinceAreNumberedAndAnyTextIsRead) {
+    SavedResult result{.name = "Study", .kind = "study", .grid = {0, 0, 1, 1, 1}};
+    const auto one = std::make_shared<const SavedResult>(result);
+    Project project;
+    project.results.push_back(one);
+    Project saved = withMeasured(project, {std::make_shared<const MeasuredAnswer>(one)});
+    ASSERT_EQ(saved.results.size(), 2U);
+    EXPECT_NE(saved.results[1]->name, "Study");
+    EXPECT_EQ(takeMeasured(saved).size(), 1U);
+    EXPECT_EQ(saved.results.size(), 1U);
+    for (const char* text : {"", "{", "[1,null,\"Study 9\"]", "{\"a\":1}"}) {
+        saved.view["measured"] = text;
+        EXPECT_TRUE(takeMeasured(saved).empty()) << text;
+    }
+}
+
+TEST(MeasuredAnswers, TheOldestAreLeftOutWhereMapsAreTooLarge) {
+    SavedResult result{.name = "Old", .kind = "study", .grid = {0, 0, 1, 5000, 5000}, .layers = {{}, {}}};
+    MeasuredAnswers measured;
+    for (const char* name : {"Old", "New"}) {
         result.name = name;
         result.layers.resize(std::string(name) == "Old" ? 2 : 1);
         measured.push_back(
