@@ -214,12 +214,12 @@ void MainWindow::makeToolBars(const WindowActions& actions) {
     bar->setObjectName(QStringLiteral("modeBar"));
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->addActions(mode_.actions());
-    QAction* paper = bar->addAction(tr("As in the paper"), this, &MainWindow::useMapsOfPaper);
-    paper->setObjectName(QStringLiteral("paperMaps"));
-    paper->setToolTip(
     bar->addAction(help_.questions());
     if (auto* ask = qobject_cast<QToolButton*>(bar->widgetForAction(help_.questions())))
         ask->setPopupMode(QToolButton::InstantPopup);
+    QAction* paper = bar->addAction(tr("As in the paper"), this, &MainWindow::useMapsOfPaper);
+    paper->setObjectName(QStringLiteral("paperMaps"));
+    paper->setToolTip(
         tr("Now by shadow accrual maps, studies and reviews by inverse accrual maps through the "
            "direction graph.\nApproximate: the legend states the measured error. Undo takes the "
            "method of the study back"));
@@ -372,11 +372,25 @@ void MainWindow::connectDocks() {
     connect(&placeLinks_, &PlaceLinks::chosen, &display_, &ResultDisplay::showPlace);
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connectStudyForm();
+    followRegion();
     connectElementForms();
     connect(&points_, &PointInspector::asked, this, [this] { showDock(docks_.point); });
     connect(docks_.point, &PointDock::saveRequested, this, &MainWindow::savePoint);
     connect(&tools_, &EditTools::treesChosen, this, [this] { showDock(tools_.treeDock()); });
     connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
+}
+
+// Its outline helps who asks or reads an answer, and disturbs others.
+void MainWindow::followRegion() {
+    QList<QDockWidget*> docks;
+    for (QDockWidget* dock : findChildren<QDockWidget*>())
+        if (dock->isAncestorOf(docks_.study) || dock->isAncestorOf(docks_.results)) docks << dock;
+    for (QDockWidget* dock : docks)
+        connect(dock, &QDockWidget::visibilityChanged, panel_, [this, dock, docks](bool isInFront) {
+            dock->setProperty(inFrontProperty, isInFront);
+            panel_->setRegionShown(std::ranges::any_of(
+                docks, [](const QDockWidget* one) { return one->property(inFrontProperty).toBool(); }));
+        });
 }
 
 void MainWindow::connectStudyForm() {
@@ -391,6 +405,7 @@ void MainWindow::connectStudyForm() {
     connect(&form, &StudyDock::surroundingsRequested, &region_, [this, &building] {
         if (building.selected()) region_.takeSurroundings(*building.selected());
     });
+    connect(&tools_, &EditTools::regionRequested, &region_, &RegionActions::change);
     form.setCityFinder([this](bool all) { return workbench_.listPlaceCities(all); });
     connect(&form, &StudyDock::sunByPlaceRequested, &workbench_, &Workbench::runByPlace);
     connect(&workbench_.session(), &ProjectSession::changed, &form, [this, &form] {
@@ -413,7 +428,6 @@ void MainWindow::connectElementForms() {
             QStringList lots, places;
             const Project& project = workbench_.session().project();
             for (const NamedLot& lot : project.lots) lots << QString::fromStdString(lot.name);
-    connect(&tools_, &EditTools::regionRequested, &region_, &RegionActions::change);
             for (const Place& place : project.places) places << QString::fromStdString(place.name);
             places.sort(Qt::CaseInsensitive);
             form->setNames(lots, places);
@@ -575,6 +589,11 @@ ProjectSaving::Compose MainWindow::projectToSave() {
     project.view[kindKey] = studyKindKeys[std::size_t(docks_.study->kind())];
     project.view[placesAskedKey] = docks_.study->places().choice();
     project.view[placesListedKey] = docks_.places->choice();
+    const auto keep = [&project](const char* key, std::string text) {
+        text.empty() ? void(project.view.erase(key)) : void(project.view[key] = std::move(text));
+    };
+    keep(comparedKey, comparing_.choice());
+    keep(clockKey, time_.choice());
     if (std::string figures = answers_.figuresToSave(); !figures.empty())
         project.view[viewFiguresKey] = std::move(figures);
     return [project = std::move(project), measured = workbench_.measured()] {
@@ -589,11 +608,6 @@ void MainWindow::showProject() {
     saving_.takeProject();
     display_.forget();
     view_.restore();
-    const auto keep = [&project](const char* key, std::string text) {
-        text.empty() ? void(project.view.erase(key)) : void(project.view[key] = std::move(text));
-    };
-    keep(comparedKey, comparing_.choice());
-    keep(clockKey, time_.choice());
     const auto& saved = workbench_.session().project().view;
     if (const auto weights = saved.find(chosenWeightsKey); weights != saved.end())
         docks_.weights->choose(weights->second);
@@ -664,6 +678,7 @@ void MainWindow::takeOver(MainWindow& before) {
     docks_.places->restore(before.docks_.places->choice());
     opening_.takeProject();
     panel_->time().choose(before.panel_->time().look());
+    comparing_.restore(before.comparing_.choice());
     showTitle();
     before.saving_.removeRecovery();
     if (workbench_.session().hasUnsavedWork()) saving_.writeRecovery();
@@ -671,11 +686,10 @@ void MainWindow::takeOver(MainWindow& before) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (!saving_.confirmUnsaved([this] { close(); })) return event->ignore();
+    help_.closeStart();
     settings_.setValue(QStringLiteral("geometry"), saveGeometry());
     settings_.setValue(QStringLiteral("docks"), saveState(layoutVersion));
     QMainWindow::closeEvent(event);
 }
 
 }  // namespace noonmark
-    help_.closeStart();
-    comparing_.restore(before.comparing_.choice());
