@@ -28,13 +28,14 @@ ShaderMaterial* makeStroke(const QColor& colour, float alpha, float widthPx, Qt3
 }  // namespace
 
 GroundLines::GroundLines(const QColor& colour, float widthPx, Qt3DRender::QLayer* blended,
-                         Qt3DCore::QEntity* parent)
-    : blended_(blended),
-      root_(new Qt3DCore::QEntity(parent)),
-      strokes_{makeStroke(colour, faintAlpha, widthPx, root_),
-               makeStroke(colour, colour.alphaF(), widthPx, root_)} {
-    strokes_[0]->alwaysVisible();
-    strokes_[1]->include(QStringLiteral("LIFTED"), true);  // above the ground that they lie on
+                         Qt3DCore::QEntity* parent, Behind behind)
+    : blended_(blended), root_(new Qt3DCore::QEntity(parent)) {
+    if (behind == Behind::faint) {
+        strokes_.push_back(makeStroke(colour, faintAlpha, widthPx, root_));
+        strokes_.back()->alwaysVisible();
+    }
+    strokes_.push_back(makeStroke(colour, colour.alphaF(), widthPx, root_));
+    strokes_.back()->include(QStringLiteral("LIFTED"), true);  // above the ground that they lie on
 }
 
 GroundLines::~GroundLines() { delete root_; }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "render/scene/array_entity.h"
 
@@ -12,11 +12,13 @@ namespace noonmark {
 class ShaderMaterial;
 
 /// Lines on the ground that are as wide as they are however far away they lie. Where something hides them
-/// they are faint, so that they do not seem to lie before it.
+/// they are faint, so that they do not seem to lie before it, or not drawn.
 class GroundLines {
 public:
+    enum class Behind { faint, hidden };
     /// `blended`: the layer that is drawn last; `parent` owns the nodes.
-    GroundLines(const QColor& colour, float widthPx, Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent);
+    GroundLines(const QColor& colour, float widthPx, Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent,
+                Behind behind = Behind::faint);
     ~GroundLines();
     GroundLines(const GroundLines&) = delete;
     GroundLines& operator=(const GroundLines&) = delete;
@@ -27,7 +29,7 @@ public:
 private:
     Qt3DRender::QLayer* blended_;
     Qt3DCore::QEntity* root_;
-    std::array<ShaderMaterial*, 2> strokes_;  ///< everywhere, and where nothing hides them
+    std::vector<ShaderMaterial*> strokes_;  ///< everywhere (faint), and where nothing hides them
     Qt3DCore::QEntity* entity_ = nullptr;
 };
 

@@ -54,6 +54,7 @@ CityView::CityView()
       displayed_(blended_, sideLayers_[0], root_),
       other_(blended_, sideLayers_[1], root_),
       lines_(lineColour, 2.5F, blended_, root_),
+      regionLines_(lineColour, 1.3F, blended_, root_, GroundLines::Behind::hidden),
       demolished_(demolishedColour, 1.8F, blended_, root_),
       divider_(blended_, sideLayers_, root_),
       rest_(new QTimer(this)),
@@ -221,6 +222,8 @@ void CityView::clearMap() {
 
 void CityView::showLines(const std::vector<GroundLine>& lines) { lines_.show(lines); }
 
+void CityView::showRegion(const std::vector<GroundLine>& lines) { regionLines_.show(lines); }
+
 void CityView::showDemolished(const std::vector<GroundLine>& lines) { demolished_.show(lines); }
 
 void CityView::setPose(const CameraPose& pose) {
@@ -274,7 +277,7 @@ void CityView::applyCamera() {
     camera()->setPosition(toVector(computeEye(pose_)));
     camera()->setViewCenter(toVector(pose_.target));
     camera()->setUpVector(toVector(computeUp(pose_)));
-    for (GroundLines* lines : {&lines_, &demolished_})
+    for (GroundLines* lines : {&lines_, &regionLines_, &demolished_})
         lines->setViewSize({float(view.widthPx), float(view.heightPx)});
     overlay_->setLens(pose_, view);
     places_->setLens(view);

@@ -94,6 +94,7 @@ public:
     /// Trees that are chosen or planned, in a colour of their own; drawn as evergreens.
     [[nodiscard]] CrownBodies& markedTrees() { return *markedTrees_; }
     void showLines(const std::vector<GroundLine>& lines);
+    void showRegion(const std::vector<GroundLine>& lines);  ///< thin, and hidden by buildings before it
     /// Outlines of buildings that are there no more; showCity() removes them.
     void showDemolished(const std::vector<GroundLine>& lines);
     /// Cuts away what lies outside the box; empty: shows everything. Shadows and pictures stay those of the
@@ -163,6 +164,7 @@ private:
     DrawnCity displayed_;
     DrawnCity other_;
     GroundLines lines_;
+    GroundLines regionLines_;
     GroundLines demolished_;
     SideDivider divider_;
     ViewSides sides_;

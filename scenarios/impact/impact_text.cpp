@@ -17,6 +17,7 @@
 #include "core/study/provenance/provenance_texts.h"
 #include "core/study/text/error_text.h"
 #include "scenarios/impact/impact_figures.h"
+#include "scenarios/impact/proposal_region.h"
 #include "scenarios/settings_json.h"
 
 namespace noonmark {
@@ -255,10 +256,11 @@ const Impact& impactOfColumn(const ImpactStudy& study, TreeColumns column) {
 AnswerPage makePage(const ImpactAnswer& answer, const LegendChoice& shown) {
     const Impact& impact = impactOfColumn(answer.study, shown.trees);
     ComparisonFigures figures = computeFigures(answer);
-    if (&impact == &answer.study.total) return makePage(impact, figures, shown.show);
-    figures.all.front() = computeFigures(impact, answer.settings.thresholdsMin.front());
+    const bool isWithTrees = &impact != &answer.study.total;
+    if (isWithTrees) figures.all.front() = computeFigures(impact, answer.settings.thresholdsMin.front());
     AnswerPage page = makePage(impact, figures, shown.show);
-    page.findings.insert(page.findings.begin(), nameColumn(shown.trees));
+    if (isWithTrees) page.findings.insert(page.findings.begin(), nameColumn(shown.trees));
+    if (auto beyond = describeBeyond(answer)) page.findings.push_back(*std::move(beyond));
     return page;
 }
 

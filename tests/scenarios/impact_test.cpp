@@ -11,8 +11,10 @@
 #include "core/city/trees/tree_facts.h"
 #include "core/describe/command_options.h"
 #include "core/engines/common/shadow_reach.h"
+#include "core/study/review_study.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/impact/impact_text.h"
+#include "scenarios/impact/proposal_region.h"
 #include "scenarios/project/results/saved_figures_json.h"
 #include "scenarios/scenario.h"
 #include "scenarios/weights/score_text.h"
@@ -66,6 +68,39 @@ TEST(Impact, OfATowerInTheOpenIsItsShadow) {
     EXPECT_GT(figures.gross.gainedM2, 0);
     EXPECT_LT(figures.gross.gainedM2, figures.gross.anyMoreShadowM2);
     EXPECT_EQ(figures.gross.lostM2, 0);
+}
+
+TEST(Impact, SaysWhatStandsOrReachesBeyondTheRegion) {
+    City empty = threeHouses();
+    empty.buildings.clear();
+    const auto answerOf = [&](float west, float topM) {
+        const City after = with(empty, {tower("t", west, topM)});
+        return ImpactAnswer{
+            "Existing", "Mill", morning(), impactOf(empty, after), {}, keepOwnBuildings(after, empty)};
+    };
+    const auto beyond = [&](float west, float topM) {
+        const auto words = describeBeyond(answerOf(west, topM));
+        return words ? formatText(*words) : std::string();
+    };
+    EXPECT_EQ(beyond(20, 4), "") << "a low house in the middle";
+    EXPECT_THAT(beyond(155, 4), testing::HasSubstr("A part of what Mill builds stands outside the region"));
+    EXPECT_THAT(beyond(170, 60), testing::HasSubstr("What Mill builds stands outside the region"));
+    EXPECT_THAT(beyond(20, 200), testing::HasSubstr("more than 30 min a day reaches the region's edge"));
+    const AnswerPage page = makePage(answerOf(170, 60), LegendChoice());
+    ASSERT_FALSE(page.findings.empty());
+    EXPECT_THAT(formatText(page.findings.back()), testing::HasSubstr("outside the region"));
+}
+
+TEST(Impact, ARegionAroundAProposalIsAsLargeAsBeforeOrAsThatNeeds) {
+    const auto mill = shared(house("Mill", box(1000, 40, 1020, 60), 60));
+    const Region around = makeRegionAround({mill}, makeRegionFromLocalBox({{-60, -40}, {160, 120}}));
+    EXPECT_EQ(bounds(around).low, glm::vec2(900, -30));
+    EXPECT_EQ(bounds(around).high, glm::vec2(1120, 130));
+    EXPECT_EQ(around.name, "around Mill");
+    EXPECT_EQ(findInRegion({mill}, around), InRegion::whole);
+    const Region small = makeRegionAround({mill}, makeRegionFromLocalBox({{0, 0}, {10, 10}}));
+    EXPECT_EQ(bounds(small).low, glm::vec2(950, -10));
+    EXPECT_EQ(bounds(small).high, glm::vec2(1070, 110));
 }
 
 TEST(Impact, ThereAndBackAgainIsTheSameWithTheOtherSign) {

@@ -9,6 +9,8 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
+#include <QToolButton>
+#include <algorithm>
 #include <utility>
 
 #include "app/gui/base/files/file_dialogs.h"
@@ -49,7 +51,10 @@ namespace {
 constexpr const char* chosenWeightsKey = "weights";     // in Project::view: the table of the dock Weights
 constexpr const char* kindKey = "question";             // likewise: what the dock Study asks
 constexpr const char* placesAskedKey = "places_asked";  // likewise: of which places, and which sun is enough
-constexpr const char* placesListedKey = "places_listed";  // likewise: what the table of places lists
+constexpr const char* placesListedKey = "places_listed";    // likewise: what the table of places lists
+constexpr const char* comparedKey = "compared";             // likewise: two scenarios in the view
+constexpr const char* clockKey = "clock";                   // likewise: the moment whose sun is shown
+constexpr const char* inFrontProperty = "noonmarkInFront";  // of a dock: it is seen among its tabs
 constexpr int layoutVersion = 13;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
@@ -212,6 +217,9 @@ void MainWindow::makeToolBars(const WindowActions& actions) {
     bar->setObjectName(QStringLiteral("modeBar"));
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->addActions(mode_.actions());
+    bar->addAction(help_.questions());
+    if (auto* ask = qobject_cast<QToolButton*>(bar->widgetForAction(help_.questions())))
+        ask->setPopupMode(QToolButton::InstantPopup);
     QAction* paper = bar->addAction(tr("As in the paper"), this, &MainWindow::useMapsOfPaper);
     paper->setObjectName(QStringLiteral("paperMaps"));
     paper->setToolTip(
@@ -367,11 +375,25 @@ void MainWindow::connectDocks() {
     connect(&placeLinks_, &PlaceLinks::chosen, &display_, &ResultDisplay::showPlace);
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connectStudyForm();
+    followRegion();
     connectElementForms();
     connect(&points_, &PointInspector::asked, this, [this] { showDock(docks_.point); });
     connect(docks_.point, &PointDock::saveRequested, this, &MainWindow::savePoint);
     connect(&tools_, &EditTools::treesChosen, this, [this] { showDock(tools_.treeDock()); });
     connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
+}
+
+// Its outline helps who asks or reads an answer, and disturbs others.
+void MainWindow::followRegion() {
+    QList<QDockWidget*> docks;
+    for (QDockWidget* dock : findChildren<QDockWidget*>())
+        if (dock->isAncestorOf(docks_.study) || dock->isAncestorOf(docks_.results)) docks << dock;
+    for (QDockWidget* dock : docks)
+        connect(dock, &QDockWidget::visibilityChanged, panel_, [this, dock, docks](bool isInFront) {
+            dock->setProperty(inFrontProperty, isInFront);
+            panel_->setRegionShown(std::ranges::any_of(
+                docks, [](const QDockWidget* one) { return one->property(inFrontProperty).toBool(); }));
+        });
 }
 
 void MainWindow::connectStudyForm() {
@@ -386,6 +408,7 @@ void MainWindow::connectStudyForm() {
     connect(&form, &StudyDock::surroundingsRequested, &region_, [this, &building] {
         if (building.selected()) region_.takeSurroundings(*building.selected());
     });
+    connect(&tools_, &EditTools::regionRequested, &region_, &RegionActions::change);
     form.setCityFinder([this](bool all) { return workbench_.listPlaceCities(all); });
     connect(&form, &StudyDock::sunByPlaceRequested, &workbench_, &Workbench::runByPlace);
     connect(&workbench_.session(), &ProjectSession::changed, &form, [this, &form] {
@@ -575,6 +598,11 @@ ProjectSaving::Compose MainWindow::projectToSave() {
     project.view[kindKey] = studyKindKeys[std::size_t(docks_.study->kind())];
     project.view[placesAskedKey] = docks_.study->places().choice();
     project.view[placesListedKey] = docks_.places->choice();
+    const auto keep = [&project](const char* key, std::string text) {
+        text.empty() ? void(project.view.erase(key)) : void(project.view[key] = std::move(text));
+    };
+    keep(comparedKey, comparing_.choice());
+    keep(clockKey, time_.choice());
     if (std::string figures = answers_.figuresToSave(); !figures.empty())
         project.view[viewFiguresKey] = std::move(figures);
     return [project = std::move(project), measured = workbench_.measured()] {
@@ -602,7 +630,12 @@ void MainWindow::showProject() {
     if (workbench_.session().recovered()) help_.closeStart();
     if (workbench_.running().busy()) showAnswerPanel();  // what was shown when it was saved
     recovery_.offer();
-    if (mode_.mode() == ViewMode::exploration) time_.showPresent();
+    const auto kept = [&saved](const char* key) {
+        const auto text = saved.find(key);
+        return text == saved.end() ? std::string() : text->second;
+    };
+    comparing_.restore(kept(comparedKey));
+    if (!time_.restore(kept(clockKey)) && mode_.mode() == ViewMode::exploration) time_.showPresent();
 }
 
 // Whether a comparison is asked for follows from the baseline.
@@ -654,6 +687,7 @@ void MainWindow::takeOver(MainWindow& before) {
     docks_.places->restore(before.docks_.places->choice());
     opening_.takeProject();
     panel_->time().choose(before.panel_->time().look());
+    comparing_.restore(before.comparing_.choice());
     showTitle();
     before.saving_.removeRecovery();
     if (workbench_.session().hasUnsavedWork()) saving_.writeRecovery();
@@ -661,6 +695,7 @@ void MainWindow::takeOver(MainWindow& before) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (!saving_.confirmUnsaved([this] { close(); })) return event->ignore();
+    help_.closeStart();
     settings_.setValue(QStringLiteral("geometry"), saveGeometry());
     settings_.setValue(QStringLiteral("docks"), saveState(layoutVersion));
     QMainWindow::closeEvent(event);

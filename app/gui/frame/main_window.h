@@ -116,6 +116,7 @@ private:
     void connectWorkbench();
     void connectDocks();
     void connectStudyForm();
+    void followRegion();
     void connectElementForms();
     void connectModes();
     void connectPreferences();

@@ -140,10 +140,12 @@ void Workbench::forgetAnswers() {
     front_.reset();
 }
 
-// Answers are forgotten at once: a run started before the city is displayed already uses the new city. A
-// saved result is not about the displayed buildings, so it does not become outdated with them.
+// Answers are forgotten at once: a run started before the city is displayed already uses the new city.
 void Workbench::follow() {
-    if (const SharedAnswer shown = front_ && !front_->isSaved() ? front_ : base_) past_ = shown;
+    if (const SharedAnswer shown = answer()) {
+        past_ = shown;
+        pastOf_ = front_ ? std::optional(shownOf_) : std::nullopt;
+    }
     if (!isRunStillValid()) running_.drop();
     forgetAnswers();
     if (!city_) return;
@@ -158,6 +160,7 @@ void Workbench::follow() {
 void Workbench::adoptCity(Result<OpenCity> city) {
     if (!city) return report(city.error());
     city_ = std::make_shared<const OpenCity>(*std::move(city));
+    if (past_ && pastOf_ == citiesShown()) front_ = std::exchange(past_, nullptr);  // the change was undone
     findBase();
     Q_EMIT cityShown();
 }

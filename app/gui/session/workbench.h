@@ -307,6 +307,10 @@ private:
     std::vector<std::shared_ptr<const City>> runningOn_;  ///< of the running question; none: an estimate
     std::shared_ptr<const Study> study_;
     SharedAnswer base_, front_, past_;
+    using CitiesShown = std::pair<std::shared_ptr<const City>, std::shared_ptr<const City>>;
+    CitiesShown shownOf_;                ///< displayed city and baseline when base_ and front_ were found
+    std::optional<CitiesShown> pastOf_;  ///< those of past_, if it was in front
+    [[nodiscard]] CitiesShown citiesShown();
     std::map<SharedAnswer, SharedAnswer> listed_;  ///< base_ and front_ as lists have them, if renamed since
     ListAnswers scenarioAnswers_;
     TableText scenarioTable_;

@@ -364,9 +364,14 @@ void Workbench::findBase() {
     study_ = contentOf<Study>(base_);
     if (isCompared()) base_ = comparison_.answer;
     if (base_) past_.reset();
+    shownOf_ = citiesShown();
     rename(base_);
     rename(front_);
     std::erase_if(listed_, [this](const auto& one) { return one.first != base_ && one.first != front_; });
+}
+
+Workbench::CitiesShown Workbench::citiesShown() {
+    return {session_.city(), comparing() ? session_.cityOf(session_.baseline()).value_or(nullptr) : nullptr};
 }
 
 bool Workbench::isCompared() {
@@ -437,6 +442,8 @@ void Workbench::showResult(const std::shared_ptr<const SavedResult>& result) {
         [this](Result<SharedAnswer> saved) {
             if (!saved) return report(saved.error());
             front_ = *std::move(saved);
+            past_.reset();
+            shownOf_ = citiesShown();
             Q_EMIT answered();
         });
 }
@@ -511,8 +518,8 @@ std::string Workbench::savedName() const {
 }
 
 std::shared_ptr<const MeasuredAnswer> Workbench::measuredShown() const {
-    const auto saved = answerAs<SavedContent>();
     const auto now = answer() ? answer() : past();
+    const auto saved = contentOf<SavedContent>(now);
     const auto listed = listed_.find(now);
     const auto shown = listed == listed_.end() ? now : listed->second;
     const auto at = std::ranges::find_if(measured_, [&](const auto& one) {

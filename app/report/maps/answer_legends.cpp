@@ -80,7 +80,7 @@ Legend makeLegend(const Impact& impact, ShadowMeasure measure, const ChangeScale
     addPatch(legend, impact, CellChange::becameBuilding, ground::becameBuilding,
              QStringLiteral(NM_TEXT("built over")));
     addPatch(legend, impact, CellChange::becameGround, ground::becameGround,
-             QStringLiteral(NM_TEXT("now ground")));
+             QStringLiteral(NM_TEXT("building gone")));
     return legend;
 }
 

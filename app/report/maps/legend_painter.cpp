@@ -15,6 +15,7 @@ namespace {
 
 constexpr double legendTitlePt = 8.5;
 constexpr double legendLabelPt = 7.5;
+constexpr double minTitleScale = 0.6;  // of a title that has little room
 constexpr double barTopPt = 13;
 constexpr double barHeightPt = 9;
 constexpr double legendTickPt = 2.5;
@@ -34,7 +35,7 @@ void paintTitle(const Canvas& canvas, const QRectF& area, const Legend& legend) 
     const double wanted = QFontMetricsF(textFont(canvas, legendTitlePt, QFont::Bold))
                               .horizontalAdvance(legend.title + QStringLiteral("  ")) +
                           QFontMetricsF(textFont(canvas, legendTitlePt)).horizontalAdvance(firstPart);
-    const double shrunk = std::clamp(0.98 * area.width() / wanted, 0.6, 1.0);
+    const double shrunk = std::clamp(0.98 * area.width() / wanted, minTitleScale, 1.0);
     const QFont bold = textFont(canvas, legendTitlePt * shrunk, QFont::Bold);
     const QString title = QFontMetricsF(bold).elidedText(legend.title, Qt::ElideRight, area.width());
     const double baseline = area.top() + legendTitlePt * canvas.point;
@@ -125,11 +126,12 @@ void paintTicks(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
     }
 }
 
-void paintPatch(const Canvas& canvas, const QRectF& patch, const QColor& colour, const QString& label) {
+void paintPatch(const Canvas& canvas, const QRectF& patch, const QColor& colour, const QString& label,
+                double labelPt = legendLabelPt) {
     canvas.painter.setBrush(colour);
     canvas.painter.setPen(linePen(canvas, canvas.inks.quiet, 0.4));
     canvas.painter.drawRect(patch);
-    canvas.painter.setFont(textFont(canvas, legendLabelPt));
+    canvas.painter.setFont(textFont(canvas, labelPt));
     canvas.painter.setPen(canvas.inks.text);
     canvas.painter.drawText(QPointF(patch.right() + 4 * canvas.point, patch.bottom() - 1.5 * canvas.point),
                             label);
@@ -174,15 +176,35 @@ void paintColourClasses(const Canvas& canvas, const QRectF& bar, const Legend& l
     }
 }
 
-// Paints the patches at the right end of the title line; returns their width.
-double paintOwnColours(const Canvas& canvas, const QRectF& area, const std::vector<LegendPatch>& patches) {
-    const QFontMetricsF metrics(textFont(canvas, legendLabelPt));
+// The room that title and unit need at their smallest.
+double smallestTitle(const Canvas& canvas, const Legend& legend) {
+    const QString firstPart = describeUnit(legend).section(QStringLiteral(", "), 0, 0);
+    const double points = minTitleScale * legendTitlePt;
+    return QFontMetricsF(textFont(canvas, points, QFont::Bold))
+               .horizontalAdvance(legend.title + QStringLiteral("  ")) +
+           QFontMetricsF(textFont(canvas, points)).horizontalAdvance(firstPart);
+}
+
+// Paints the patches at the right end of the title line, smaller where the unit needs the room; returns their
+// width.
+double paintOwnColours(const Canvas& canvas, const QRectF& area, const Legend& legend) {
+    const std::vector<LegendPatch>& patches = legend.patches;
     const double size = legendTitlePt * 0.9 * canvas.point;
+    const auto widthAt = [&](double points) {
+        const QFontMetricsF metrics(textFont(canvas, points));
+        double width = 0;
+        for (const LegendPatch& patch : patches)
+            width += metrics.horizontalAdvance(patch.label) + size * 1.6 + 12 * canvas.point;
+        return width;
+    };
+    const double room = area.width() - smallestTitle(canvas, legend);
+    const double labelPt = widthAt(legendLabelPt) > room ? legendLabelPt * minTitleScale : legendLabelPt;
+    const QFontMetricsF metrics(textFont(canvas, labelPt));
     double x = area.right();
     for (auto patch = patches.rbegin(); patch != patches.rend(); ++patch) {
         x -= metrics.horizontalAdvance(patch->label) + size * 1.6 + 12 * canvas.point;
         paintPatch(canvas, {x + 8 * canvas.point, area.top() + canvas.point, size * 1.6, size}, patch->colour,
-                   patch->label);
+                   patch->label, labelPt);
     }
     return area.right() - x;
 }
@@ -248,7 +270,7 @@ void paintLegend(const Canvas& canvas, const QRectF& area, const Legend& legend)
     canvas.painter.save();
     canvas.painter.setRenderHint(QPainter::Antialiasing);
     const QRectF bar = barOf(canvas, area);
-    const double patches = paintOwnColours(canvas, area, legend.patches);
+    const double patches = paintOwnColours(canvas, area, legend);
     paintTitle(canvas, area.adjusted(0, 0, -patches, 0), legend);
     if (!legend.classes.empty()) {
         paintClasses(canvas, bar, legend.classes);

@@ -10,6 +10,7 @@
 #include "core/receivers/roof_receivers.h"
 #include "core/study/provenance/command_text.h"
 #include "scenarios/impact/impact_figures.h"
+#include "scenarios/impact/proposal_region.h"
 #include "scenarios/settings_json.h"
 
 namespace noonmark {
@@ -167,6 +168,8 @@ Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const Ch
                            extendRepeat(impactJson(answer), drawnOptions(scale, legend))}};
     addNewBuildings(sheet.figures, answer.proposal);
     sheet.finding = QString::fromStdString(formatText(makePage(answer, legend).headline)) + u'.';
+    if (const auto beyond = describeBeyond(answer))
+        sheet.finding += u' ' + QString::fromStdString(formatText(*beyond));
     if (!isInstant(impact) && hasRuns(impact)) sheet.smallMap.emplace(mapOf(ShadowMeasure::continuous));
     return sheet;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/describe/text.h"
 #include "core/review/places/verdict_text.h"
 #include "core/review/rule/rule_names.h"
 
@@ -160,18 +161,51 @@ std::string partsText(const Rule& rule) {
     return text;
 }
 
+struct DecidingFigure {
+    Sentence name;
+    FigureStatus status;
+};
+
+/// The figures that a verdict rests on.
+std::vector<DecidingFigure> listDeciding(const Rule& rule) {
+    std::vector<DecidingFigure> all{{{NM_TEXT("the days")}, rule.days.evidence.status},
+                                    {{NM_TEXT("the hours")}, rule.window.evidence.status},
+                                    {{NM_TEXT("the clock")}, rule.clock.evidence.status}};
+    for (const RuleDay& day : rule.days.fixed)
+        all.push_back({{NM_TEXT("the day %1"), {formatText(day.day)}}, day.evidence.status});
+    for (const Criterion& criterion : rule.criteria)
+        for (const Limit& limit : criterion.limits)
+            if (!criterion.advisory)
+                all.push_back({{NM_TEXT("the limit of \"%1\""), {criterion.name}}, limit.evidence.status});
+    for (const UnitShare& share : rule.shares)
+        all.push_back({{NM_TEXT("the share of \"%1\""), {share.name}}, share.evidence.status});
+    if (rule.sunshine) all.push_back({{NM_TEXT("the hours of sunshine")}, rule.sunshine->evidence.status});
+    return all;
+}
+
 }  // namespace
 
 FigureStatus findLeastCertain(const Rule& rule) {
-    FigureStatus minimum =
-        std::max({rule.days.evidence.status, rule.window.evidence.status, rule.clock.evidence.status});
-    for (const RuleDay& day : rule.days.fixed) minimum = std::max(minimum, day.evidence.status);
-    for (const Criterion& criterion : rule.criteria)
-        for (const Limit& limit : criterion.limits)
-            if (!criterion.advisory) minimum = std::max(minimum, limit.evidence.status);
-    for (const UnitShare& share : rule.shares) minimum = std::max(minimum, share.evidence.status);
-    if (rule.sunshine) minimum = std::max(minimum, rule.sunshine->evidence.status);
-    return minimum;
+    return std::ranges::max(listDeciding(rule), {}, &DecidingFigure::status).status;
+}
+
+std::vector<Sentence> listLeastCertain(const Rule& rule) {
+    const FigureStatus least = findLeastCertain(rule);
+    std::vector<Sentence> names;
+    for (DecidingFigure& figure : listDeciding(rule))
+        if (figure.status == least) names.push_back(std::move(figure.name));
+    return names;
+}
+
+std::string nameLeastCertain(const Rule& rule) {
+    std::vector<std::string> names;
+    for (const Sentence& name : listLeastCertain(rule)) {
+        std::vector<std::string> of;
+        for (const auto& argument : name.arguments) of.push_back(std::get<std::string>(argument));
+        if (std::string text = fillIn(name.source, of); std::ranges::find(names, text) == names.end())
+            names.push_back(std::move(text));
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::string describeRule(const Rule& rule) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "core/describe/answer_page.h"
 #include "core/review/rule/rule.h"
 
 namespace noonmark {
@@ -12,5 +14,10 @@ std::string describeRule(const Rule& rule);
 
 /// "V", "R" or "U": the least certain status (FigureStatus) among the figures that a verdict rests on.
 FigureStatus findLeastCertain(const Rule& rule);
+
+/// Which of those figures have that status: "the hours", "the limit of Longest shadow".
+std::vector<Sentence> listLeastCertain(const Rule& rule);
+/// "the hours, the clock"
+std::string nameLeastCertain(const Rule& rule);
 
 }  // namespace noonmark

@@ -9,6 +9,7 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QLabel>
+#include <QPushButton>
 #include <QSettings>
 #include <QToolBar>
 #include <QToolButton>
@@ -43,6 +44,29 @@ double luminance(const QColor& colour) {
 double contrastOf(const QColor& a, const QColor& b) {
     const double high = std::max(luminance(a), luminance(b)), low = std::min(luminance(a), luminance(b));
     return (high + 0.05) / (low + 0.05);
+}
+
+/// The middle of a button as the window's style draws it.
+QColor drawnMiddle(QAbstractButton& button, bool checked) {
+    button.setCheckable(true);
+    button.setChecked(checked);
+    button.resize(80, 28);
+    const QImage image = button.grab().toImage();
+    return image.pixelColor(image.width() / 2, image.height() / 2);
+}
+
+TEST_F(Themes, AButtonThatIsPressedDiffersFromOthersInBothColours) {
+    WindowStyle style;
+    for (const Theme theme : {Theme::light, Theme::dark}) {
+        QApplication::setPalette(makePalette(theme));
+        QPushButton push;
+        QToolButton tool;
+        for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{&push, &tool}) {
+            button->setStyle(&style);
+            EXPECT_GE(contrastOf(drawnMiddle(*button, true), drawnMiddle(*button, false)), 1.3)
+                << int(theme) << button->metaObject()->className();
+        }
+    }
 }
 
 TEST_F(Themes, AreReadableInBothColours) {

@@ -199,6 +199,28 @@ TEST_F(ExportWindow, WhatIsWrittenShowsInTheDialogWhichTakesNoSecondOneMeanwhile
     EXPECT_TRUE(button->isEnabled());
 }
 
+TEST_F(ExportWindow, OfUnsavedChangesItIsSaidThatTheyCannotBeVerifiedAndTheyAreSavedFirst) {
+    study();
+    session().goTo("Tower");
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
+    study();
+    auto* dialog = openDialog<ExportDialog>("Ctrl+E");
+    ASSERT_NE(dialog, nullptr);
+    auto* save = fieldOf<QPushButton>(*dialog, "exportSaveFirst");
+    auto* words = fieldOf<QLabel>(*dialog, "exportUnsaved");
+    EXPECT_FALSE(save->isHidden());
+    EXPECT_TRUE(words->text().contains(QStringLiteral("cannot be verified"))) << words->text().toStdString();
+    save->click();
+    ASSERT_TRUE(waitFor([&] { return save->isHidden(); }));
+    EXPECT_TRUE(words->isHidden());
+    EXPECT_FALSE(session().hasUnsavedWork());
+    write(*dialog);
+    const auto record = nlohmann::json::parse(contentOfFile(inFolder("study.json")).toStdString());
+    EXPECT_TRUE(record["repeat"].is_string()) << record["repeat_note"];
+    session().goTo(existingCity);
+    EXPECT_TRUE(save->isHidden()) << "no change of the project";
+}
+
 TEST_F(ExportWindow, SheetsAreLaidOutAnewOnlyWhereSomethingElseIsPrinted) {
     study();
     std::atomic<int> layings = 0;

@@ -6,7 +6,9 @@
 
 #include "app/gui/docks/results/results_dock.h"
 #include "app/gui/docks/study_form/study_dock.h"
+#include "app/gui/view/compare/compare_actions.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "app/gui/view/time/time_strip.h"
 #include "tests/gui/answers_window.h"
 
 namespace noonmark {
@@ -127,6 +129,24 @@ TEST_F(MeasuredAnswersWindow, AScoreByAnotherWeightTableReplacesNone) {
     EXPECT_EQ(workbench().measured().size(), before + 1) << "the same question as in the file";
 }
 
+TEST_F(MeasuredAnswersWindow, TwoScenariosAndTheMomentOfTheClockAreThereAgain) {
+    session().goTo("Tower");
+    ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+    CompareActions& comparing = window->comparing();
+    comparing.findChild<QAction*>(QStringLiteral("compareBeside"))->trigger();
+    const auto isBeside = [this] { return window->panel().view().sides().layout == SideLayout::beside; };
+    ASSERT_TRUE(waitFor(isBeside));
+    const int year = int(window->panel().time().look().date.year());
+    const ShownTime noon{ShownSpan::moment,
+                         {std::chrono::year(year), std::chrono::December, std::chrono::day(21)},
+                         std::chrono::minutes(12 * 60 + 30)};
+    window->panel().time().choose(noon);
+    saveAndOpenAgain();
+    EXPECT_TRUE(waitFor(isBeside));
+    EXPECT_EQ(comparing.choice(), "compareBeside Existing");
+    EXPECT_EQ(window->panel().time().look(), noon);
+}
+
 // Chosen from the list, an answer is shown: nothing is computed, and what is being computed goes on.
 TEST_F(MeasuredAnswersWindow, ShowingAComparisonFromTheListStartsNoRun) {
     session().goTo("Tower");
@@ -174,6 +194,48 @@ TEST_F(MeasuredAnswersWindow, WhatIsSavedUnderANameIsInTheFileOnce) {
     const Project file = ProjectFile::open(session().file()->path()).value().project();
     EXPECT_EQ(
         std::ranges::count(file.results, std::string("June"), [](const auto& one) { return one->name; }), 1);
+}
+
+// What was shown is seen on after a change of the buildings, as of before it, and is valid again after undo.
+TEST_F(MeasuredAnswersWindow, ASavedAnswerIsGreyAfterAnEditAndValidAgainAfterItsUndo) {
+    session().goTo("Tower");
+    study();
+    keep("June");
+    const QString area = figures()[figures().indexOf(QStringLiteral("Shadow area")) + 1];
+    window->mode().setMode(ViewMode::exploration);  // nothing is computed automatically
+    saveAndOpenAgain();
+    showSaved("June");
+    const auto& results = *window->findChild<ResultsDock*>();
+    ASSERT_FALSE(results.faded());
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
+    ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+    EXPECT_FALSE(workbench().answer());
+    EXPECT_TRUE(figures().contains(area)) << figures().join(u'\n').toStdString();
+    EXPECT_TRUE(results.faded());
+    EXPECT_TRUE(note().contains(QStringLiteral("Outdated"))) << note().toStdString();
+    workbench().document().undoStack().undo();
+    ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+    EXPECT_TRUE(workbench().answerAs<SavedContent>());
+    EXPECT_TRUE(figures().contains(area));
+    EXPECT_FALSE(results.faded()) << note().toStdString();
+}
+
+TEST_F(MeasuredAnswersWindow, AScoreIsThereAgainAfterTheUndoOfTwoEdits) {
+    session().goTo("Tower");
+    workbench().runScore("default");
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ScoreAnswer>() != nullptr; }));
+    for (const double heightM : {20.0, 30.0}) {
+        ASSERT_TRUE(session().addEdits({ChangeHeight{"New", heightM}}, QStringLiteral("lower")));
+        ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+        EXPECT_TRUE(contentOf<ScoreAnswer>(workbench().past()));
+    }
+    for (int step = 0; step < 2; ++step) {
+        EXPECT_FALSE(workbench().answer());
+        workbench().document().undoStack().undo();
+        ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+    }
+    EXPECT_TRUE(workbench().answerAs<ScoreAnswer>());
+    EXPECT_FALSE(workbench().past());
 }
 
 TEST(MeasuredAnswers, NamesThatTheUserHasTakenSinceAreNumberedAndAnyTextIsRead) {

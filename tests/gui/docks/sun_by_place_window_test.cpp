@@ -331,6 +331,27 @@ TEST_F(SunByPlaceWindow, ShadowOfTheDatesIsStatedWhereTheyAreInThePeriod) {
         count().contains(QStringLiteral("more than %1 min of shadow on 21 December 2026").arg(minutes)))
         << count().toStdString();
     EXPECT_EQ(field<QDoubleSpinBox>("placesThreshold").suffix(), QStringLiteral(" h of sun"));
+
+    // Which have too little shade: those with most sun.
+    std::vector<double> hours;
+    for (const SunOfPlace& one : sun()->baseline.sun) hours.push_back(one.dateHours[0]);
+    const double middle = (*std::ranges::min_element(hours) + *std::ranges::max_element(hours)) / 2;
+    auto& shade = field<QDoubleSpinBox>("placesShade");
+    EXPECT_FALSE(shade.isHidden());
+    shade.setValue(possible - middle);
+    const auto sunny =
+        std::ranges::count_if(hours, [&](double one) { return possible - one < shade.value(); });
+    ASSERT_GT(sunny, 0);
+    EXPECT_TRUE(count().startsWith(QString::number(sunny))) << count().toStdString();
+    EXPECT_TRUE(count().contains(
+        QStringLiteral("less than %1 h of shade on 21 December 2026").arg(shade.value(), 0, 'f', 1)))
+        << count().toStdString();
+    field<QCheckBox>("placesOnlyBelow").setChecked(true);
+    EXPECT_TRUE(textOf("placesListed").startsWith(QString::number(sunny)))
+        << textOf("placesListed").toStdString();
+    field<QToolButton>("showSun").click();
+    EXPECT_TRUE(shade.isHidden());
+    EXPECT_TRUE(count().contains(QStringLiteral("less than 2.0 h of sun"))) << count().toStdString();
 }
 
 TEST_F(SunByPlaceWindow, WhatWasTickedAndListedComesBackWithTheProject) {

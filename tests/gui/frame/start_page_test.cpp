@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
 #include <QScrollArea>
@@ -65,6 +66,40 @@ TEST_F(StartPageWindow, TheViewStaysInSightBetweenItsSides) {
     window->resize(1000, 700);
     QCoreApplication::processEvents();
     EXPECT_EQ(page->questions()->geometry().right() + 1, window->width()) << "it follows the window";
+}
+
+TEST_F(StartPageWindow, PanelsBelowAreHiddenMeanwhile) {
+    auto* review = window->findChild<QDockWidget*>(QStringLiteral("reviewDock"));
+    review->show();
+    const QPointer<StartPage> page = begin();
+    EXPECT_TRUE(review->isHidden());
+    page->close();
+    EXPECT_FALSE(review->isHidden());
+    EXPECT_TRUE(isGone(page));
+    EXPECT_FALSE(review->isHidden());
+}
+
+TEST_F(StartPageWindow, ItsQuestionsAreAskedFromTheBarOnceACityIsOpen) {
+    const auto* ask = window->findChild<QAction*>(QStringLiteral("askQuestion"));
+    ASSERT_NE(ask, nullptr);
+    EXPECT_TRUE(window->findChild<QToolBar*>(QStringLiteral("modeBar"))->actions().contains(ask));
+    const QList<QAction*> questions = ask->menu()->actions();
+    ASSERT_EQ(std::size_t(questions.size()), listStartCards().size());
+    questions[int(StartQuestion::places)]->trigger();
+    EXPECT_EQ(window->findChild<StudyDock*>()->kind(), StudyKind::places);
+    questions[int(StartQuestion::review)]->trigger();
+    EXPECT_TRUE(isShown("reviewDock"));
+}
+
+TEST_F(StartPageWindow, TheRegionIsOutlinedWhileAPanelSpeaksOfIt) {
+    window->findChild<QDockWidget*>(QStringLiteral("resultsDock"))->hide();
+    auto* study = window->findChild<QDockWidget*>(QStringLiteral("studyDock"));
+    study->raise();
+    EXPECT_TRUE(waitFor([this] { return window->panel().showsRegion(); }));
+    window->findChild<QDockWidget*>(QStringLiteral("projectDock"))->raise();
+    EXPECT_TRUE(waitFor([this] { return !window->panel().showsRegion(); }));
+    study->raise();
+    EXPECT_TRUE(waitFor([this] { return window->panel().showsRegion(); }));
 }
 
 TEST_F(StartPageWindow, AMessageStandsBetweenItsSides) {

@@ -50,6 +50,25 @@ TEST_F(EditToolsTest, OnALowScreenTheFieldsOfATowerComeIntoSight) {
     EXPECT_TRUE(isInSight("figures"));
 }
 
+TEST_F(EditToolsTest, ATowerOutsideTheRegionSaysSoAndMovesItThere) {
+    LiveQuestion question;
+    question.region = makeRegionFromLocalBox({{300, 300}, {400, 400}});
+    tools.setQuestion(question);
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    QWidget* panel = tools.massingDock();
+    auto& words = field<QLabel>(panel, "towerBeyond");
+    EXPECT_FALSE(words.isHidden());
+    EXPECT_THAT(words.text().toStdString(), testing::HasSubstr("outside the study's region"));
+    std::optional<Region> asked;
+    QObject::connect(&tools, &EditTools::regionRequested, [&](const Region& region) { asked = region; });
+    field<QPushButton>(panel, "moveRegion").click();
+    ASSERT_TRUE(asked);
+    EXPECT_EQ((bounds(*asked).low + bounds(*asked).high) / 2.0F, glm::vec2(0, -40));
+    question.region = *asked;
+    tools.setQuestion(question);
+    EXPECT_TRUE(words.isHidden());
+}
+
 TEST_F(EditToolsTest, ATowerIsCopiedToAnotherLotWithItsParameters) {
     lots = {{"South", test::square({-25, -65}, 40)}, {"East", test::square({120, -65}, 25)}};
     tools.setLots(lots);
@@ -71,6 +90,21 @@ TEST_F(EditToolsTest, ATowerIsCopiedToAnotherLotWithItsParameters) {
     QObject::connect(&tools, &EditTools::failed, [&refused](const Error& error) { refused = error.what; });
     tools.copyTower(lots[0]);
     EXPECT_THAT(refused, testing::HasSubstr("No tower is selected"));
+}
+
+TEST_F(EditToolsTest, AFurtherTowerBeginsAsTheOneBeforeIt) {
+    drawLot({{-40, -65}, {40, -65}, {40, -15}, {-40, -15}});
+    auto& panel = *static_cast<MassingPanel*>(tools.massingDock());
+    TowerDraft draft = panel.draft();
+    draft.settings.storeys = 12;
+    draft.settings.plate = {.areaM2 = 500};
+    panel.showDraft(draft);
+    Q_EMIT panel.edited();
+    field<QPushButton>(&panel, "addTower").click();
+    ASSERT_EQ(tools.tower().draft()->settings.further.size(), 1U);
+    EXPECT_EQ(tools.tower().draft()->settings.further.front().storeys, 12);
+    EXPECT_EQ(tools.tower().draft()->settings.further.front().plate, (PlateSize{.areaM2 = 500}));
+    EXPECT_EQ(panel.message().toStdString(), "");
 }
 
 TEST_F(EditToolsTest, ATowerTapersAndItsDesignIsSavedWithTheEdit) {

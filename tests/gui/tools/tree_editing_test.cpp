@@ -74,6 +74,9 @@ struct TreeWindow : test::ProjectWindow {
             ASSERT_TRUE(waitFor([&] { return trees().size() == count + 1; }));
         }
         field<QPushButton>("plantTree").click();
+        EXPECT_TRUE(field<QPushButton>("plantTree").isChecked()) << "pressed again, the tool goes on";
+        Q_EMIT window->panel().keyPressed(Qt::Key_Escape);
+        EXPECT_FALSE(field<QPushButton>("plantTree").isChecked());
         ASSERT_EQ(trees().size(), before + places.size());
     }
     void SetUp() override {

@@ -116,6 +116,35 @@ TEST(ReviewBook, DrawsTimelinesOfWhatFailsOrIsBorderlineUnlessAllAreAskedFor) {
     EXPECT_TRUE(hasTimelines(all));
 }
 
+/// A park and a lawn beside it, each with a verdict.
+ReviewedPark parkAndLawn(Verdict park, Verdict lawn) {
+    ReviewedPark reviewed("Elm Park");
+    reviewed.places.push_back({"Elm Lawn", PlaceKind::plaza, {boxFootprint(-20, 61, 20, 75)}, "test"});
+    NoProgress progress;
+    reviewed.study = runReview(reviewed.study.rule, reviewed.before, reviewed.after, reviewed.places,
+                               reviewed.study.settings, AutoEngine(), progress, {})
+                         .value();
+    reviewed.study.places[0].verdict = park;
+    reviewed.study.places[1].verdict = lawn;
+    return reviewed;
+}
+
+TEST(ReviewBook, TheFirstPageShowsTheMostShadowOnAPlaceThatFails) {
+    const auto first = [](const ReviewedPark& park) { return textOfPage(park.book({}), 0); };
+    const QString ofLawn = first(parkAndLawn(Verdict::pass, Verdict::fail));
+    EXPECT_TRUE(ofLawn.contains(QStringLiteral("Elm Lawn (fail) at one moment"))) << ofLawn.toStdString();
+    const QString ofPark = first(parkAndLawn(Verdict::fail, Verdict::fail));
+    EXPECT_TRUE(ofPark.contains(QStringLiteral("Elm Park (fail) at one moment")))
+        << "more of it is shaded: " << ofPark.toStdString();
+}
+
+TEST(ReviewBook, NamesTheLeastSureFigures) {
+    ReviewedPark park("Elm Park");
+    park.study.rule = RuleLibrary::load({}).value().find("ceqr", {}).value();
+    const QString text = textOfPage(park.book({}), 0);
+    EXPECT_TRUE(text.contains(QStringLiteral("(U): the hours"))) << text.toStdString();
+}
+
 TEST(ReviewBook, OfManyPlacesLaysNoTextOverAnother) {
     const ReviewedPark park = reviewOfMany("ceqr", 56);
     for (const bool landscape : {false, true}) {

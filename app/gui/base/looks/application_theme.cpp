@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <QToolButton>
 #include <utility>
 
 #include "app/gui/base/looks/theme.h"
@@ -78,11 +79,38 @@ QPen outlinePen(const QPalette& palette, bool enabled) {
 
 }  // namespace
 
+namespace {
+
+// Of a button that is pressed and stays so; not of a heading whose arrow shows whether it is open.
+bool isPressedIn(QStyle::PrimitiveElement element, const QStyleOption& option, const QWidget* widget) {
+    const bool isButton = element == QStyle::PE_PanelButtonCommand || element == QStyle::PE_PanelButtonTool;
+    const auto* tool = qobject_cast<const QToolButton*>(widget);
+    return isButton && option.state.testFlag(QStyle::State_On) &&
+           (tool == nullptr || tool->arrowType() == Qt::NoArrow);
+}
+
+// Over the style's own, which in dark colours hardly differs from one that is not pressed.
+void paintPressedIn(const QStyleOption& option, QPainter& painter) {
+    constexpr float tint = 0.4F;
+    QColor fill = option.palette.color(QPalette::Highlight);
+    const QPen edge(fill, 1.5);
+    fill.setAlphaF(tint);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(edge);
+    painter.setBrush(fill);
+    painter.drawRoundedRect(QRectF(option.rect).adjusted(1, 1, -1, -1), 2, 2);
+    painter.restore();
+}
+
+}  // namespace
+
 WindowStyle::WindowStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
 
 void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                                 const QWidget* widget) const {
     QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (isPressedIn(element, *option, widget)) paintPressedIn(*option, *painter);
     const bool round = element == PE_IndicatorRadioButton;
     if (!round && element != PE_IndicatorCheckBox && element != PE_IndicatorItemViewItemCheck) return;
     if (themeOf(option->palette) == Theme::light) return;

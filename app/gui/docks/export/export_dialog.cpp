@@ -14,6 +14,7 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QUrl>
+#include <tuple>
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/buttons.h"
@@ -50,6 +51,15 @@ QCheckBox* makeCheck(const QString& text, const char* name, const QString& tip, 
     return box;
 }
 
+// Whether the file holds what answers are about, as it is now: only then do exports name it as their source.
+bool isSavedAsItIs(const ProjectSession& session) {
+    if (!session.file()) return false;
+    const auto content = [](const Project& project) {
+        return std::tie(project.city, project.reading, project.scenarios, project.weights);
+    };
+    return content(session.project()) == content(session.file()->project());
+}
+
 }  // namespace
 
 ExportDialog::ExportDialog(const ExportChoice& first, const QString& folder, Source source,
@@ -82,6 +92,7 @@ ExportDialog::ExportDialog(const ExportChoice& first, const QString& folder, Sou
     connect(form_, &SheetForm::edited, this, &ExportDialog::takeForm);
     connect(form_, &SheetForm::failed, this, &ExportDialog::showError);
     connect(&session_, &ProjectSession::changed, this, &ExportDialog::showProject);
+    connect(&session_, &ProjectSession::changed, this, &ExportDialog::update);
     connect(&session_, &ProjectSession::unsavedChanged, this, &ExportDialog::update);
     for (QCheckBox* box : {cells_, sheets_}) connect(box, &QCheckBox::toggled, this, &ExportDialog::update);
     showProject();
@@ -160,9 +171,11 @@ QLayout* ExportDialog::makeFoot() {
                   tr("Puts a copy of the project's file into the folder, so that the result can be "
                      "verified from there"),
                   first_.withProject);
-    saveFirst_ = pushButton(tr("Save project first..."), "exportSaveFirst",
-                            tr("A result can be verified only with the project that it comes from, and this "
-                               "project is not saved"));
+    unsaved_ = new QLabel;
+    unsaved_->setObjectName(QStringLiteral("exportUnsaved"));
+    unsaved_->setWordWrap(true);
+    saveFirst_ = pushButton({}, "exportSaveFirst",
+                            tr("A result can be verified only with the project that it comes from"));
     connect(saveFirst_, &QPushButton::clicked, this, &ExportDialog::saveRequested);
     write_ = pushButton(tr("Export"), "exportWrite", {});
     openFolder_ = pushButton(tr("Open folder"), "exportOpenFolder", tr("Shows the written files"));
@@ -179,6 +192,7 @@ QLayout* ExportDialog::makeFoot() {
          std::initializer_list<QWidget*>{withProject_, saveFirst_, write_, openFolder_, close})
         row->addWidget(field);
     auto* foot = new QVBoxLayout;
+    foot->addWidget(unsaved_);
     foot->addWidget(message_);  // above the buttons: a path beside them would be broken letter by letter
     foot->addLayout(row);
     return foot;
@@ -261,7 +275,14 @@ void ExportDialog::update() {
     const bool isSaved = session_.file().has_value();
     withProject_->setEnabled(!isView && isSaved);
     withProject_->setVisible(isView || isSaved);
-    saveFirst_->setVisible(!isView && !isSaved);
+    const bool canBeVerified = isView || isSavedAsItIs(session_);
+    unsaved_->setText(isSaved
+                          ? tr("The project has changes that are not saved: what is exported now cannot be "
+                               "verified.")
+                          : tr("The project is not saved: what is exported now cannot be verified."));
+    saveFirst_->setText(isSaved ? tr("Save project first") : tr("Save project first..."));
+    for (QWidget* one : std::initializer_list<QWidget*>{unsaved_, saveFirst_})
+        one->setVisible(!canBeVerified);
     write_->setEnabled(!writing_ && !folder_->text().trimmed().isEmpty());
     soon_.start();
 }

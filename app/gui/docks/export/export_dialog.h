@@ -63,7 +63,7 @@ public:
 Q_SIGNALS:
     void chosen(noonmark::ExportChoice choice, QString folder);
     void setupChosen(const noonmark::PageSetup& setup);
-    void saveRequested();  ///< of the project, which has no file
+    void saveRequested();  ///< of the project, which has no file or changes since
 
 private:
     QLayout* makeFields();
@@ -98,6 +98,7 @@ private:
     QLabel* message_;
     ProgressStrip* progress_;
     QCheckBox* withProject_;
+    QLabel* unsaved_;
     QPushButton* saveFirst_;
     bool writing_ = false;
     QPushButton* write_;

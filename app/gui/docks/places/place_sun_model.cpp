@@ -489,7 +489,7 @@ void PlaceSunFilter::setLimit(std::optional<Limit> limit) {
 bool PlaceSunFilter::accepts(std::size_t place) const {
     const Place& of = model().sun()->baseline.places[place];
     if (kind_ && of.kind != *kind_) return false;
-    if (limit_ && !(model().hoursOf(place, limit_->of) < limit_->hours)) return false;
+    if (limit_ && !limit_->holds(model().hoursOf(place, limit_->of))) return false;
     return text_.isEmpty() || QString::fromStdString(of.name).contains(text_, Qt::CaseInsensitive);
 }
 

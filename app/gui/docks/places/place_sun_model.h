@@ -134,10 +134,14 @@ public:
 
     void setText(const QString& text);
     void setKind(std::optional<PlaceKind> kind);  ///< none: all
-    /// Less sun than so many hours a day.
+    /// Less sun than so many hours a day, or more.
     struct Limit {
         ShownSun of;
         double hours = 0;
+        bool isMost = false;                               ///< true: those with more sun, that is less shade
+        [[nodiscard]] bool holds(double sunHours) const {  ///< false of NaN
+            return isMost ? sunHours > hours : sunHours < hours;
+        }
         bool operator==(const Limit&) const = default;
     };
     void setLimit(std::optional<Limit> limit);  ///< none: however much

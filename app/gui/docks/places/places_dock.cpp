@@ -42,6 +42,7 @@ namespace {
 
 constexpr double maxThreshold = 12;  // hours
 constexpr int ticksOfHour = 10;
+constexpr double maxShade = 24;
 constexpr int thresholdRestMs = 250;
 
 constexpr int fittedRows = 200;  // that columns are made wide enough for
@@ -106,6 +107,7 @@ PlacesDock::PlacesDock(QWidget* parent)
       trees_(listField("placesTrees", tr("Which trees count in the table, the map and the headline"))),
       slider_(new QSlider(Qt::Horizontal)),
       threshold_(numberField(0, maxThreshold, 1, 0.5, tr(" h"))),
+      shade_(numberField(0, maxShade, 1, 0.5, tr(" h of shade"))),
       text_(new QLineEdit),
       kinds_(listField("placesKind", tr("Lists only places of this kind"))),
       grouped_(new QCheckBox(tr("By kind"))),
@@ -175,11 +177,19 @@ QWidget* PlacesDock::makeThreshold() {
            "colours");
     slider_->setToolTip(tip);
     threshold_->setToolTip(tip);
+    shade_->setObjectName(QStringLiteral("placesShade"));
+    shade_->setPrefix(tr("< "));
+    shade_->setSpecialValueText(tr("any shade"));
+    shade_->setToolTip(
+        tr("Counts and lists the places with less shade than this, instead of those with too "
+           "little sun"));
+    shade_->hide();
     auto* row = new QWidget;
     auto* line = new QHBoxLayout(row);
     line->setContentsMargins(0, 0, 0, 0);
     line->addWidget(slider_, 1);
     line->addWidget(threshold_);
+    line->addWidget(shade_);
     return row;
 }
 
@@ -226,6 +236,10 @@ void PlacesDock::connectFields() {
     connect(onlyBelow_, &QCheckBox::toggled, this, &PlacesDock::limitRows);
     connect(slider_, &QSlider::valueChanged, this, [this](int tick) { follow(double(tick) / ticksOfHour); });
     connect(threshold_, &QDoubleSpinBox::valueChanged, this, &PlacesDock::follow);
+    connect(shade_, &QDoubleSpinBox::valueChanged, this, [this] {
+        describeCount();
+        limitRows();
+    });
     rest_->setSingleShot(true);
     rest_->setInterval(thresholdRestMs);
     connect(rest_, &QTimer::timeout, this, [this] { Q_EMIT thresholdChosen(threshold_->value()); });
@@ -369,6 +383,7 @@ struct PlaceListing {
     int sortedBy = -1;  ///< column; -1: in the order of the project
     bool isDescending = false;
     std::optional<double> thresholdHours;
+    double shadeHours = 0;
 };
 
 const Fields<PlaceListing>& listingFields() {
@@ -379,7 +394,8 @@ const Fields<PlaceListing>& listingFields() {
         field(&PlaceListing::byKind, {.key = "by_kind"}),
         field(&PlaceListing::sortedBy, {.key = "sorted_by"}),
         field(&PlaceListing::isDescending, {.key = "descending"}),
-        field(&PlaceListing::thresholdHours, {.key = "threshold_h", .range = ValueRange{0, maxThreshold}})};
+        field(&PlaceListing::thresholdHours, {.key = "threshold_h", .range = ValueRange{0, maxThreshold}}),
+        field(&PlaceListing::shadeHours, {.key = "shade_h", .range = ValueRange{0, maxShade}})};
     return fields;
 }
 
@@ -397,7 +413,8 @@ std::string PlacesDock::describeListing(std::optional<double> thresholdHours) co
                          .byKind = grouped_->isChecked(),
                          .sortedBy = filter_->sortColumn(),
                          .isDescending = filter_->sortOrder() == Qt::DescendingOrder,
-                         .thresholdHours = thresholdHours};
+                         .thresholdHours = thresholdHours,
+                         .shadeHours = shade_->value()};
     if (what.what == ShownSun::What::date)
         listing.of = formatText(model_->sun()->baseline.settings.dates[what.date]);
     if (what.what == ShownSun::What::change) listing.of = changeOfSun;
@@ -409,6 +426,7 @@ std::string PlacesDock::describeListing(std::optional<double> thresholdHours) co
 void PlacesDock::restore(const std::string& choice) {
     restored_ = choice;
     for (QCheckBox* box : {onlyBelow_, grouped_}) box->setChecked(false);
+    shade_->setValue(0);
 }
 
 void PlacesDock::applyRestored() {
@@ -427,6 +445,7 @@ void PlacesDock::applyRestored() {
     if (const auto kind = parsePlaceKind(listing.kind))
         kinds_->setCurrentIndex(std::max(0, kinds_->findData(int(*kind))));
     onlyBelow_->setChecked(listing.onlyBelow);
+    shade_->setValue(listing.shadeHours);
     grouped_->setChecked(listing.byKind);
     if (listing.sortedBy < filter_->columnCount())
         table_->sortByColumn(std::max(-1, listing.sortedBy),
@@ -473,7 +492,7 @@ void PlacesDock::showNextToNames() {
 
 void PlacesDock::limitRows() {
     const bool on = onlyBelow_->isChecked() && model_->sun();
-    filter_->setLimit(on ? std::optional(PlaceSunFilter::Limit{shown(), limitOf(shown())}) : std::nullopt);
+    filter_->setLimit(on ? std::optional(limitOf(shown())) : std::nullopt);
     listed();
 }
 
@@ -510,6 +529,8 @@ void PlacesDock::setShown(ShownAs show) {
     if (!model_->sun()) return;
     model_->setEnough(threshold_->value());
     threshold_->setSuffix(show == ShownAs::sun ? tr(" h") : tr(" h of sun"));
+    shade_->setVisible(show == ShownAs::shadow);
+    limitRows();
     fitColumns();
     if (grouped_->isChecked()) table_->expandToDepth(0);
     colour();
@@ -639,10 +660,17 @@ QString PlacesDock::describeAt(glm::dvec2 point, const ShownSun& shown, const st
     return tr("%1: %2 h of sun a day").arg(name, groupDigits(hours, 2));
 }
 
-// Hours of sun a day below which a place is counted.
-double PlacesDock::limitOf(const ShownSun& shown) const {
+bool PlacesDock::asksForShade(const ShownSun& shown) const {
+    return shown.what != ShownSun::What::change && !model_->showsSun(shown) && shade_->value() > 0;
+}
+
+// Of which a place is counted. Less shade is more sun.
+PlaceSunFilter::Limit PlacesDock::limitOf(const ShownSun& shown) const {
     constexpr double aMinute = 1 / minutesPerHour;
-    return shown.what == ShownSun::What::change ? -aMinute : threshold_->value();
+    if (shown.what == ShownSun::What::change) return {shown, -aMinute};
+    if (!asksForShade(shown)) return {shown, threshold_->value()};
+    const double possibleHours = model_->shownOf(0, shown) / minutesPerHour;
+    return {shown, possibleHours - shade_->value(), true};
 }
 
 // `counts`: "61 of 532 places".
@@ -652,6 +680,12 @@ QString PlacesDock::describeLimit(const QString& counts, const ShownSun& shown) 
         return (isSun ? tr("%1 lose more than a minute of sun a day")
                       : tr("%1 get more than a minute of shadow a day more"))
             .arg(counts);
+    if (asksForShade(shown) && shown.what == ShownSun::What::period)
+        return tr("%1 have less than %2 h of shade a day").arg(counts, groupDigits(shade_->value(), 1));
+    if (asksForShade(shown))
+        return tr("%1 have less than %2 h of shade on %3")
+            .arg(counts, groupDigits(shade_->value(), 1),
+                 longNameOf(model_->sun()->baseline.settings.dates[shown.date]));
     const double hours = threshold_->value();
     const QString limit = isSun ? groupDigits(hours, 1) : groupDigits(model_->shownOf(hours, shown));
     if (shown.what == ShownSun::What::period)
@@ -668,12 +702,13 @@ void PlacesDock::describeCount() {
     onlyBelow_->setVisible(sun != nullptr);
     if (!sun) return count_->setText(tr("No places measured: choose \"Sun by place\" in the panel Study"));
     const ShownSun what = shown();
+    const PlaceSunFilter::Limit limit = limitOf(what);
     std::size_t below = 0, measured = 0;
     for (std::size_t i = 0; i < sun->baseline.places.size(); ++i) {
         const double hours = model_->hoursOf(i, what);
         if (std::isnan(hours) || !isCounted(i)) continue;
         ++measured;
-        if (hours < limitOf(what)) ++below;
+        if (limit.holds(hours)) ++below;
     }
     QString counts =
         tr("%1 of %2 place(s)", "", pluralNumber(measured)).arg(formatCount(below), formatCount(measured));

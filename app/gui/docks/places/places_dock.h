@@ -82,7 +82,8 @@ private:
     void enableThreshold();
     void describeCount();
     [[nodiscard]] QString describeLimit(const QString& counts, const ShownSun& shown) const;
-    [[nodiscard]] double limitOf(const ShownSun& shown) const;
+    [[nodiscard]] PlaceSunFilter::Limit limitOf(const ShownSun& shown) const;
+    [[nodiscard]] bool asksForShade(const ShownSun& shown) const;
     [[nodiscard]] bool hasSun(std::optional<std::size_t> place) const;
     [[nodiscard]] bool isCounted(std::size_t place) const;  ///< of the kind that is listed
     void listed();
@@ -106,6 +107,7 @@ private:
     QComboBox* trees_;  ///< which column is stated; hidden where there is one only
     QSlider* slider_;
     QDoubleSpinBox* threshold_;
+    QDoubleSpinBox* shade_;  ///< less shade than this is counted; 0: less sun than threshold_
     QLineEdit* text_;
     QComboBox* kinds_;
     QCheckBox* grouped_;

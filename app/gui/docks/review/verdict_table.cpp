@@ -13,6 +13,7 @@
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/review/review_cache.h"
+#include "app/gui/session/answers/result_rows.h"
 #include "app/gui/session/study/region_text.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/places/review_columns.h"
@@ -106,8 +107,12 @@ QString describeStatus(const Rule& rule) {
     const auto words = [](std::string_view text) {
         return QString::fromUtf8(text.data(), qsizetype(text.size()));
     };
-    return QObject::tr("Least sure figure: %1 (%2)")
-        .arg(words(ruleNameOf(figureStatusNames(), status)), words(meaningOf(status)));
+    QStringList names;
+    for (const Sentence& name : listLeastCertain(rule)) names << sentenceText(name);
+    names.removeDuplicates();
+    return QObject::tr("Least sure: %1 (%2, %3)")
+        .arg(names.join(QStringLiteral(", ")), words(ruleNameOf(figureStatusNames(), status)),
+             words(meaningOf(status)));
 }
 
 namespace {

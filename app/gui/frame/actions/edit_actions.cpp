@@ -18,6 +18,9 @@
 #include "app/gui/tools/editing/edit_tools.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/gui/view/panel/view_presets.h"
+#include "app/input/load_city.h"
+#include "scenarios/edits/apply_edits.h"
+#include "scenarios/impact/proposal_region.h"
 
 namespace noonmark {
 
@@ -40,16 +43,42 @@ EditActions::EditActions(Workbench& workbench, EditTools& tools, const ModeSwitc
 }
 
 void EditActions::connectTools() {
-    connect(&tools_, &EditTools::editsMade, this,
-            [this](const std::vector<Edit>& edits, const QString& what) {
-                if (!workbench_.session().addEdits(edits, what)) tools_.revert();
-            });
+    connect(&tools_, &EditTools::editsMade, this, &EditActions::take);
     connect(&tools_, &EditTools::editionRead, this, &EditActions::reload);
     connect(&tools_, &EditTools::lotDrawn, this,
             [this](const NamedLot& lot) { workbench_.session().addLot(lot); });
     connect(&tools_, &EditTools::lotChanged, this, &EditActions::changeLot);
     connect(&workbench_.session(), &ProjectSession::changed, this, &EditActions::showProject);
     connect(&tools_, &EditTools::failed, &panel_.messages(), &MessageBar::showError);
+}
+
+void EditActions::take(const std::vector<Edit>& edits, const QString& what) {
+    const auto region = regionToFollow(edits);
+    QUndoStack& undo = workbench_.document().undoStack();
+    if (region) undo.beginMacro(what);
+    if (!workbench_.session().addEdits(edits, what)) tools_.revert();
+    if (!region) return;
+    StudySettings settings = workbench_.document().settings();
+    settings.region = *region;
+    workbench_.document().change(settings, tr("region"));
+    undo.endMacro();
+    panel_.messages().showNote(
+        tr("The study's region is now around what you built; Study > Where changes it"));
+}
+
+// Around the first proposal, where nothing was measured in the region that every city begins with. The park
+// of the sample is a region of its own.
+std::optional<Region> EditActions::regionToFollow(const std::vector<Edit>& edits) const {
+    const auto& open = workbench_.city();
+    const Region& region = workbench_.document().settings().region;
+    const bool isAsked = !open || workbench_.answer() || !workbench_.measured().empty() ||
+                         !workbench_.session().project().results.empty();
+    if (isAsked || region != firstRegion(open->loaded)) return std::nullopt;
+    const auto& files = open->loaded.files;
+    if (files.size() == 1 && isParkSample(files.front())) return std::nullopt;
+    const auto edited = applyEdits(open->city(), edits);
+    if (!edited || findInRegion(edited->changes.added, region) == InRegion::whole) return std::nullopt;
+    return makeRegionAround(edited->changes.added, region);
 }
 
 // Where its earlier edition stands among the edits of a scenario: those that follow apply to the new one.

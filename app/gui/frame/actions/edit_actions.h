@@ -5,14 +5,13 @@
 #include <optional>
 #include <string>
 
-#include "core/city/city.h"
+#include "core/receivers/receivers.h"
+#include "scenarios/edits/edit.h"
 
 class QAction;
 class QWidget;
 
 namespace noonmark {
-
-struct ImportMesh;
 
 class EditTools;
 class ModeSwitch;
@@ -39,6 +38,8 @@ public:
 private:
     void connectTools();
     void showProject();
+    void take(const std::vector<Edit>& edits, const QString& what);
+    [[nodiscard]] std::optional<Region> regionToFollow(const std::vector<Edit>& edits) const;
     void reload(const ImportMesh& edition);
     void changeLot(const NamedLot& lot, const QString& what);
     void askLive();

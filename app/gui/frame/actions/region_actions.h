@@ -29,11 +29,11 @@ public:
     /// times its height, and by 50 m at least.
     void takeSurroundings(std::uint32_t building);
     void takeNamed(const std::string& name);  ///< a region of the project, or a place
+    void change(const Region& region);
 
 private:
     void connectDocks(ProjectDock& tree);
     void draw(bool on);
-    void change(const Region& region);
     void takeDrawn(const std::vector<Footprint>& pieces);
     void takeWholeCity();
     void listNames();

@@ -1,6 +1,7 @@
 #include "app/gui/frame/help/help_actions.h"
 
 #include <QApplication>
+#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QLineEdit>
@@ -13,6 +14,7 @@
 #include <QWhatsThis>
 #include <utility>
 
+#include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/frame/actions/opening_actions.h"
 #include "app/input/build_facts.h"
@@ -144,7 +146,10 @@ HelpActions::HelpActions(OpeningActions& opening, QSettings& settings, QMainWind
       keys_(makeAction(this, tr("&Mouse and keys"), {}, tr("All keys and what the mouse does, as a table"),
                        "keys")),
       start_(makeAction(this, tr("&Start page"), {}, tr("Recent projects, samples and questions"), "open")),
-      about_(makeAction(this, tr("&About Noonmark"), {}, tr("Version, libraries and processor"), "about")) {
+      about_(makeAction(this, tr("&About Noonmark"), {}, tr("Version, libraries and processor"), "about")),
+      questions_(
+          makeAction(this, tr("Questions"), {}, tr("What do you want to know of this city?"), "help")) {
+    listQuestions();
     connect(guide_, &QAction::triggered, this,
             [this] { showGuide(findGuidePlace(QApplication::focusWidget())); });
     keys_->setShortcuts({QKeySequence(tr("Ctrl+F1")), QKeySequence(Qt::Key_Question)});
@@ -162,6 +167,25 @@ HelpActions::HelpActions(OpeningActions& opening, QSettings& settings, QMainWind
             if (const auto question = std::exchange(waiting_, std::nullopt)) Q_EMIT questionAsked(*question);
         },
         Qt::QueuedConnection);
+}
+
+// As the cards of the start page, which is gone once a city is open.
+void HelpActions::listQuestions() {
+    auto* menu = new QMenu(&window_);
+    menu->setToolTipsVisible(true);
+    for (const StartCard& card : listStartCards()) {
+        const auto text = [](const char* source) {
+            return QCoreApplication::translate("StartQuestion", source);
+        };
+        QAction* entry = menu->addAction(makeIcon(QString::fromLatin1(card.icon)), text(card.title));
+        entry->setToolTip(text(card.about));
+        connect(entry, &QAction::triggered, this, [this, question = card.question] {
+            closeStart();
+            Q_EMIT questionAsked(question);
+        });
+    }
+    questions_->setObjectName(QStringLiteral("askQuestion"));
+    questions_->setMenu(menu);
 }
 
 // The page follows the window, and must not outlast what it follows.

@@ -85,6 +85,7 @@ public:
     [[nodiscard]] QAction* keys() const { return keys_; }  ///< mouse and keys
     [[nodiscard]] QAction* start() const { return start_; }
     [[nodiscard]] QAction* about() const { return about_; }
+    [[nodiscard]] QAction* questions() const { return questions_; }  ///< those of the start page, as a menu
 
     /// What to open, and what to ask. `cityChosen`: the user has a city open, not only the first sample.
     void showStart(bool cityChosen = true);
@@ -99,6 +100,7 @@ Q_SIGNALS:
 private:
     void showAbout();
     void showKeys();
+    void listQuestions();
     void connectStart(StartPage& page);
 
     OpeningActions& opening_;
@@ -115,6 +117,7 @@ private:
     QAction* keys_;
     QAction* start_;
     QAction* about_;
+    QAction* questions_;
 };
 
 }  // namespace noonmark

@@ -1,6 +1,7 @@
 #include "app/gui/frame/help/start_page.h"
 
 #include <QCoreApplication>
+#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileInfo>
@@ -16,6 +17,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/looks/theme.h"
@@ -155,15 +157,38 @@ StartPage::StartPage(const RecentFiles& recent, bool cityChosen, QMainWindow& wi
     window_.installEventFilter(this);
     view.installEventFilter(this);
     view_.setBare(true);
+    hidePanelsBelow();
     place();
     questions_->show();
     questions_->raise();
 }
 
 StartPage::~StartPage() {
+    showPanelsBelow();
     view_.setBare(false);
     view_.setCovered(0, 0);
     delete questions_;
+}
+
+// The sides lie over the panels beside the view; those below would show through between them.
+void StartPage::hidePanelsBelow() {
+    for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
+        const bool isBelow = window_.dockWidgetArea(dock) == Qt::BottomDockWidgetArea && !dock->isFloating();
+        if (!isBelow || dock->isHidden()) continue;
+        dock->hide();
+        below_ << dock;
+    }
+}
+
+void StartPage::showPanelsBelow() {
+    for (const auto& dock : std::exchange(below_, {}))
+        if (dock) dock->show();
+}
+
+// Before the window saves which panels are shown.
+void StartPage::closeEvent(QCloseEvent* event) {
+    showPanelsBelow();
+    QFrame::closeEvent(event);
 }
 
 void StartPage::makeOpening(const RecentFiles& recent) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QPointer>
 #include <functional>
 #include <optional>
 #include <span>
@@ -9,6 +10,7 @@
 
 class QSettings;
 class QAbstractButton;
+class QDockWidget;
 class QLabel;
 class QMainWindow;
 class QVBoxLayout;
@@ -60,9 +62,12 @@ Q_SIGNALS:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
+    void hidePanelsBelow();
+    void showPanelsBelow();
     void makeOpening(const RecentFiles& recent);
     void makeQuestions();
     void addOpenButtons(QVBoxLayout& column);
@@ -74,6 +79,7 @@ private:
 
     QMainWindow& window_;
     ViewPanel& view_;
+    QList<QPointer<QDockWidget>> below_;  ///< panels that are hidden while it is shown
     bool cityChosen_;
     QFrame* questions_;
     QLabel* heading_;

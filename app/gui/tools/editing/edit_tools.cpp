@@ -159,6 +159,7 @@ void EditTools::connectTools() {
     connect(&context_.preview, &EditPreview::effectChanged, this, &EditTools::showEffect);
     connect(&context_.preview, &EditPreview::shapeChanged, this, &EditTools::showStoreys);
     connect(&tower_, &TowerEditing::editsMade, this, made);
+    connect(&tower_, &TowerEditing::regionRequested, this, &EditTools::regionRequested);
     connect(&tower_, &TowerEditing::began, &building_, &BuildingEditing::deactivate);
     connect(&tower_, &TowerEditing::began, &mesh_, &MeshPlacing::cancel);
     connect(&tower_, &TowerEditing::ended, &building_, &BuildingEditing::show);
@@ -297,7 +298,10 @@ void EditTools::setLots(const std::vector<NamedLot>& lots) {
     showLots();
 }
 
-void EditTools::setQuestion(const LiveQuestion& question) { context_.preview.setQuestion(question); }
+void EditTools::setQuestion(const LiveQuestion& question) {
+    context_.preview.setQuestion(question);
+    tower_.showInRegion();
+}
 
 void EditTools::setBaseline(std::shared_ptr<const City> city, const std::string& scenario) {
     context_.preview.setBaseline(std::move(city), scenario);

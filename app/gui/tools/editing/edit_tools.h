@@ -90,6 +90,7 @@ Q_SIGNALS:
     void editionRead(noonmark::ImportMesh edition);
     void lotDrawn(noonmark::NamedLot lot);
     void lotChanged(noonmark::NamedLot lot, QString what);  ///< another outline of this name: one undo step
+    void regionRequested(noonmark::Region region);          ///< of the study, around what is designed
     /// How to use the tool that has started.
     void hinted(QString text);
     /// A tower design has started: its dock should be visible.

@@ -92,8 +92,12 @@ TreePanel::TreePanel(QWidget* parent)
     years_->setValue(defaultYears);
     years_->setToolTip(tr("Years of growth, of which crown and height are estimated"));
     placeFields();
+    // Pressed again, a tool that the menu has chosen goes on, too: Esc ends it.
     const auto choose = [this](Planting planting) {
-        return [this, planting](bool on) { Q_EMIT plantingChosen(on ? planting : Planting::none); };
+        return [this, planting] {
+            showPlanting(planting);
+            Q_EMIT plantingChosen(planting);
+        };
     };
     connect(plant_, &QPushButton::clicked, this, choose(Planting::single));
     connect(row_, &QPushButton::clicked, this, choose(Planting::row));

@@ -214,7 +214,8 @@ void MassingForm::takeRest() {
 // As high as the first, on as large a plate as fits its piece of the lot.
 void MassingForm::addTower() {
     settings_.further.push_back(
-        {.storeys = std::max(1, int(heightOf(settings_) / settings_.storeyHeightM + 1e-6)), .plate = {}});
+        {.storeys = std::max(1, int(heightOf(settings_) / settings_.storeyHeightM + 1e-6)),
+         .plate = settings_.further.empty() ? settings_.plate : settings_.further.back().plate});
     show(settings_);
     Q_EMIT edited();
 }

@@ -271,6 +271,15 @@ void MassingPanel::showEffect(const QString& words) {
     effect_->setVisible(!words.isEmpty());
 }
 
+void MassingPanel::showInRegion(InRegion place) {
+    beyond_->setText(
+        place == InRegion::part
+            ? tr("A part of the tower stands outside the study's region, which alone is measured.")
+            : tr("The tower stands outside the study's region, which alone is measured."));
+    for (QWidget* one : std::initializer_list<QWidget*>{beyond_, moveRegion_})
+        one->setVisible(place != InRegion::whole);
+}
+
 // Figures, error and buttons, which stay in sight while the fields are scrolled.
 QWidget* MassingPanel::makeFooter() {
     figures_ = new QLabel;
@@ -281,6 +290,13 @@ QWidget* MassingPanel::makeFooter() {
     effect_->setWordWrap(true);
     effect_->setObjectName(QStringLiteral("towerEffect"));
     effect_->hide();
+    beyond_ = new QLabel;
+    beyond_->setWordWrap(true);
+    beyond_->setObjectName(QStringLiteral("towerBeyond"));
+    moveRegion_ = pushButton(tr("Move the region here"), "moveRegion",
+                             tr("Studies, comparisons and exports then measure the ground around the tower"));
+    connect(moveRegion_, &QPushButton::clicked, this, &MassingPanel::regionRequested);
+    showInRegion(InRegion::whole);
     error_ = new QLabel;
     error_->setWordWrap(true);
     error_->setObjectName(QStringLiteral("massingError"));
@@ -292,8 +308,8 @@ QWidget* MassingPanel::makeFooter() {
     auto* column = new QVBoxLayout(group);
     column->setContentsMargins(8, 4, 8, 4);
     column->setSpacing(4);
-    for (QWidget* one :
-         std::initializer_list<QWidget*>{figures_, effect_, error_, nearest_, makeAnswerButtons()})
+    for (QWidget* one : std::initializer_list<QWidget*>{figures_, effect_, beyond_, moveRegion_, error_,
+                                                        nearest_, makeAnswerButtons()})
         column->addWidget(one);
     return group;
 }

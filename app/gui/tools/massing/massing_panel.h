@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/gui/tools/massing/massing_form.h"
+#include "scenarios/impact/proposal_region.h"
 #include "scenarios/massing/fit_floor_area.h"
 
 class QComboBox;
@@ -56,6 +57,8 @@ public:
     void setChangeShown(bool shown);   ///< likewise
     /// What the tower changes, in lines; empty: not known.
     void showEffect(const QString& words);
+    /// Where the tower stands as to the study's region: outside it, it says so and offers to move the region.
+    void showInRegion(InRegion place);
     /// `nearest`: what would be possible, which a button takes, and whose field is marked; null: not known.
     void showError(const Error& error, const NearestFit* nearest = nullptr);
     /// A target that no settings reach; the tower stays as it is.
@@ -73,7 +76,8 @@ Q_SIGNALS:
     void copyRequested(noonmark::NamedLot lot);       ///< the tower selected or designed, on this lot
     void edited();
     void fitRequested(noonmark::FloorAreaTarget target);
-    void nearestTaken();  ///< the nearest possible settings instead
+    void nearestTaken();     ///< the nearest possible settings instead
+    void regionRequested();  ///< of the study, around the tower
     void facadesShownChosen(bool shown);
     void changeShownChosen(bool shown);
     void applyRequested();
@@ -109,6 +113,8 @@ private:
     QCheckBox* change_;
     QLabel* figures_;
     QLabel* effect_;
+    QLabel* beyond_;
+    QPushButton* moveRegion_;
     QLabel* error_;
     QPushButton* nearest_;
     QPushButton* apply_;

@@ -30,6 +30,10 @@ TowerEditing::TowerEditing(EditContext& context, MassingPanel& panel, QObject* p
     connect(&panel_, &MassingPanel::fitRequested, this, &TowerEditing::fit);
     connect(&panel_, &MassingPanel::nearestTaken, this, &TowerEditing::takeNearest);
     connect(&panel_, &MassingPanel::applyRequested, this, &TowerEditing::build);
+    connect(&panel_, &MassingPanel::regionRequested, this, [this] {
+        const auto& added = context_.preview.changes().added;
+        if (!added.empty()) Q_EMIT regionRequested(makeRegionAround(added, context_.preview.region()));
+    });
     connect(&panel_, &MassingPanel::cancelled, this, &TowerEditing::cancel);
 }
 
@@ -80,9 +84,16 @@ void TowerEditing::resume(TowerDraft draft) {
     show();
 }
 
+// A further tower that is added takes the plate of the one before it, where its piece of the lot has room.
 void TowerEditing::take() {
     if (!draft_) return;
+    const std::size_t before = draft_->settings.further.size();
     draft_ = panel_.draft();
+    auto& further = draft_->settings.further;
+    if (further.size() > before && !draftTower(context_.city->city(), *draft_)) {
+        further.back().plate = {};
+        panel_.showDraft(*draft_);
+    }
     show();
 }
 
@@ -117,6 +128,7 @@ void TowerEditing::show() {
     if (const auto shown = context_.preview.show(tower->edits); !shown)
         return panel_.showError(shown.error());
     edits_ = tower->edits;
+    showInRegion();
     const City& city = context_.city->city();
     const auto& built = context_.preview.changes().added.back();
     const glm::dvec2 foot = findMiddle(tower->massing.tiers[tower->massing.firstTiers - 1]);
@@ -126,6 +138,11 @@ void TowerEditing::show() {
     context_.handle.place(
         {{foot.x, foot.y, ground}, heightOf(draft_->settings), draft_->settings.storeyHeightM, elevation});
     context_.handle.showFigures(describeFigures(tower->massing.figures, elevation));
+}
+
+void TowerEditing::showInRegion() {
+    if (draft_)
+        panel_.showInRegion(findInRegion(context_.preview.changes().added, context_.preview.region()));
 }
 
 void TowerEditing::setHeight(double heightM) {

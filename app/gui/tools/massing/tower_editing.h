@@ -47,9 +47,11 @@ public:
     void setHeight(double heightM);  ///< from the handle
     void build();                    ///< does nothing while the draft is invalid
     void show();                     ///< again, in the current city
+    void showInRegion();             ///< whether it is measured; the region may have changed
     void cancel();
 
 Q_SIGNALS:
+    void regionRequested(noonmark::Region region);  ///< of the study
     void began();
     void editsMade(std::vector<noonmark::Edit> edits, QString what, std::string tower);
     void ended();

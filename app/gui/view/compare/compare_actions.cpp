@@ -246,6 +246,26 @@ void CompareActions::begin(QAction* way, bool on) {
     other_.show(others.front());
 }
 
+std::string CompareActions::choice() const {
+    for (const QAction* way : {beside_, swipe_, flicker_})
+        if (way->isChecked() && !other_.name().empty())
+            return way->objectName().toStdString() + ' ' + other_.name();
+    return {};
+}
+
+void CompareActions::restore(const std::string& choice) {
+    const std::size_t space = choice.find(' ');
+    if (space == std::string::npos) return;
+    const std::string name = choice.substr(space + 1);
+    const std::vector<std::string> others = listOthers(workbench_.session());
+    if (!workbench_.city() || std::ranges::find(others, name) == others.end()) return;
+    for (QAction* way : {beside_, swipe_, flicker_})
+        if (way->objectName().toStdString() == choice.substr(0, space)) {
+            way->setChecked(true);
+            other_.show(name);
+        }
+}
+
 void CompareActions::end() {
     for (QAction* way : {beside_, swipe_, flicker_}) way->setChecked(false);
     strip_->hide();

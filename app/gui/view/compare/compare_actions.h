@@ -134,6 +134,10 @@ public:
     [[nodiscard]] QList<QAction*> actions() const { return {beside_, swipe_, flicker_}; }
     [[nodiscard]] OtherScenario& other() { return other_; }
 
+    /// Which comparison the view shows, to be saved: "compareBeside Existing"; empty: none.
+    [[nodiscard]] std::string choice() const;
+    void restore(const std::string& choice);  ///< does nothing where it is not valid
+
 private:
     void begin(QAction* way, bool on);
     void end();

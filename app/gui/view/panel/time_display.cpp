@@ -17,6 +17,7 @@
 #include "app/gui/view/panel/view_presets.h"
 #include "app/gui/view/time/time_strip.h"
 #include "app/report/sheets/study_text.h"
+#include "core/sun/civil_time.h"
 
 namespace noonmark {
 
@@ -117,6 +118,22 @@ void TimeDisplay::showPresent() {
     present_ = *present;
     panel_.time().choose(present->look);
     showSun();
+}
+
+std::string TimeDisplay::choice() const {
+    if (!showsMoment() || showsPresent()) return {};
+    const ShownTime& look = panel_.time().look();
+    return formatText(look.date) + ' ' + formatText(look.at);
+}
+
+bool TimeDisplay::restore(const std::string& choice) {
+    const std::size_t space = std::min(choice.find(' '), choice.size());
+    const auto date = parseDate(choice.substr(0, space));
+    const auto at = parseTimeOfDay(choice.substr(std::min(space + 1, choice.size())));
+    if (!date || !at || !workbench_.city()) return false;
+    present_.reset();
+    panel_.time().choose({ShownSpan::moment, *date, *at});
+    return true;
 }
 
 // A result is of a period, not of the moment that the window began with.

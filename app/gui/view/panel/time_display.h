@@ -41,6 +41,9 @@ public:
     /// "21 June 2026, 12:00. Sun 180° S, 72° high", and whether it stands for the night; empty: no moment is
     /// shown.
     [[nodiscard]] QString moment() const;
+    /// The moment that was chosen, to be saved: "2026-12-21 12:30"; empty: none, or the present.
+    [[nodiscard]] std::string choice() const;
+    bool restore(const std::string& choice);  ///< false where it is not valid
     [[nodiscard]] MomentPreview& moments() { return moments_; }
     [[nodiscard]] const MomentPreview& moments() const { return moments_; }
     [[nodiscard]] const SunShadow& shadow() const { return shadow_; }

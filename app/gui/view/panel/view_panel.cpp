@@ -311,15 +311,24 @@ void ViewPanel::showRegion(const Region& region) {
     showLines();
 }
 
+void ViewPanel::setRegionShown(bool shown) {
+    if (shown == regionShown_) return;
+    regionShown_ = shown;
+    showLines();
+}
+
 void ViewPanel::showLines() {
     if (!city_) return;
+    const bool isFree = !measureTool_->active() && polygons_->active() == nullptr;
+    view_->showRegion(regionShown_ && isFree ? makeGroundLines(region_, city_->city())
+                                             : std::vector<GroundLine>());
     if (measureTool_->active()) {
         const std::vector<glm::dvec3> line = measureTool_->line();
         return view_->showLines({GroundLine{{line.begin(), line.end()}, false}});
     }
     if (const PolygonTool* tool = polygons_->active())
         return view_->showLines({makeGroundLine(tool->line(), city_->city(), true)});
-    view_->showLines(makeGroundLines(region_, city_->city()));
+    view_->showLines({});
 }
 
 // `pixel`: of the picture under the mouse.

@@ -35,6 +35,8 @@ public:
     /// Shows a city. If it has the arrays of the one before (an edit, another scenario), the camera stays.
     void showCity(std::shared_ptr<const OpenCity> city);
     void showRegion(const Region& region);
+    void setRegionShown(bool shown);  ///< its outline
+    [[nodiscard]] bool showsRegion() const { return regionShown_; }
     /// Shows the outlines and names of places.
     void showPlaces(const std::vector<Place>& places);
     void highlightPlace(const std::string& name);  ///< drawn bolder and always named; empty: none
@@ -140,6 +142,7 @@ private:
     std::unique_ptr<ResultLayer> results_;
     std::unique_ptr<MapLayer> map_;
     Region region_;
+    bool regionShown_ = true;
     std::vector<Place> places_;
     std::vector<LegendPatch> buildingPatches_;
     std::string highlighted_;  ///< name of a place

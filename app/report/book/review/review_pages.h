@@ -90,9 +90,15 @@ inline constexpr std::size_t maxDiagramPages = 8;
 /// One view in an area, at the largest round scale at which it shows a box; else at 1:maxScale.
 DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, double maxScale = 5000);
 
-/// The moment at which most of any place is in incremental shadow; else the moment nearest to noon. Nothing
-/// without any sun.
-std::optional<DiagramMoment> worstMoment(const ReviewScene& scene);
+/// What the first page shows.
+struct WorstMoment {
+    DiagramMoment moment;
+    std::optional<std::size_t> place;  ///< index of its review; none: no place is in incremental shadow
+};
+
+/// The moment at which most of a place is in incremental shadow, of those places whose verdict is worst; else
+/// the moment nearest to noon. Nothing without any sun.
+std::optional<WorstMoment> worstMoment(const ReviewScene& scene);
 
 /// Legend and scale of diagrams, without a note.
 DiagramFoot makeFoot(const ReviewScene& scene, double scale, DiagramFoot::Subject subject);

@@ -337,22 +337,26 @@ DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, d
 
 DiagramLayout layoutOf(const ReviewScene& scene) { return LayoutChoice(scene).choose(); }
 
-std::optional<DiagramMoment> worstMoment(const ReviewScene& scene) {
-    double maximum = 0;
-    std::optional<std::pair<CivilDate, Instant>> worst;
-    for (const auto& days : scene.source.study.timelines)
-        for (const DayTimeline& day : days)
-            if (day.incremental.largestM2 > maximum) {
-                maximum = day.incremental.largestM2;
-                worst = std::pair{day.day, *day.incremental.largestAt};
-            }
-    if (worst)
-        return DiagramMoment{worst->first, scene.sun.clock.minutesOf(worst->first, worst->second),
-                             QString::fromStdString(scene.sun.clock.timeText(worst->first, worst->second)),
-                             sunAt(scene.observer, worst->second)};
+std::optional<WorstMoment> worstMoment(const ReviewScene& scene) {
+    const ReviewStudy& study = scene.source.study;
+    std::pair<int, double> worst{-1, 0};
+    std::optional<WorstMoment> found;
+    for (std::size_t i = 0; i < study.timelines.size(); ++i)
+        for (const DayTimeline& day : study.timelines[i]) {
+            const PlaceReview& place = study.places[i];
+            const std::pair now{badness(place.verdict), day.incremental.largestM2};
+            if (now.second <= 0 || now <= worst) continue;
+            worst = now;
+            const Instant at = *day.incremental.largestAt;
+            found = WorstMoment{
+                {day.day, scene.sun.clock.minutesOf(day.day, at),
+                 QString::fromStdString(scene.sun.clock.timeText(day.day, at)), sunAt(scene.observer, at)},
+                i};
+        }
+    if (found) return found;
     const auto nearest = std::ranges::min_element(
         scene.moments, {}, [](const DiagramMoment& moment) { return std::abs(moment.minute - 720); });
-    return nearest == scene.moments.end() ? std::nullopt : std::optional(*nearest);
+    return nearest == scene.moments.end() ? std::nullopt : std::optional(WorstMoment{*nearest, std::nullopt});
 }
 
 }  // namespace noonmark

@@ -69,8 +69,9 @@ TextBlocks introduction(const ReviewScene& scene) {
                                    describeAmount(study.settings.cellM, 2), plainText(study.trees))));
     const FigureStatus status = findLeastCertain(study.rule);
     blocks.push_back(
-        body(QStringLiteral("The least sure figure that a verdict rests on was %1 (%2).")
-                 .arg(plainText(meaningOf(status)), plainText(ruleNameOf(figureStatusNames(), status)))));
+        body(QStringLiteral("The least sure of what a verdict rests on was %1 (%2): %3.")
+                 .arg(plainText(meaningOf(status)), plainText(ruleNameOf(figureStatusNames(), status)),
+                      plainText(nameLeastCertain(study.rule)))));
     if (scene.moments.empty())
         blocks.push_back(body(
             QStringLiteral("Figures only: the sun is not up at the rule's times, so no diagram is drawn.")));
@@ -150,20 +151,29 @@ DiagramLayout summaryLayout(const ReviewScene& scene, const DiagramMoment& momen
     return fitInto(area, textScale(scene.settings.setup), focusOf(scene, {moment}));
 }
 
+/// "the most incremental shadow on Elm Park (fail)", by the number of the table.
+QString momentText(const ReviewScene& scene, std::size_t review) {
+    const PlaceReview& place = scene.source.study.places[review];
+    const auto row = std::ranges::find_if(scene.list.rows, [&](const PlaceRow& one) {
+        return std::ranges::find(one.reviews, review) != one.reviews.end();
+    });
+    const QString name = row == scene.list.rows.end() ? plainText(place.name) : numberedName(*row);
+    return QStringLiteral("the most incremental shadow on %1 (%2) at one moment")
+        .arg(name, plainText(nameVerdict(place)));
+}
+
 Result<void> addPicture(const ReviewScene& scene, BookPage& page, const QRectF& area, Progress& progress,
                         const std::stop_token& stop) {
-    const auto moment = worstMoment(scene);
-    if (!moment) return {};
+    const auto worst = worstMoment(scene);
+    if (!worst) return {};
+    const DiagramMoment& moment = worst->moment;
     const PageSetup& setup = scene.settings.setup;
     const double foot = diagramFootPt(textScale(setup));
     const QRectF picture = area.adjusted(0, 0, 0, -foot);
-    const DiagramLayout layout = summaryLayout(scene, *moment, picture);
-    auto diagram = makeDiagram(scene, *moment, layout, picture, progress, stop);
+    const DiagramLayout layout = summaryLayout(scene, moment, picture);
+    auto diagram = makeDiagram(scene, moment, layout, picture, progress, stop);
     if (!diagram) return tl::make_unexpected(diagram.error());
-    const bool anyIncremental = std::ranges::any_of(
-        scene.source.study.places, [](const PlaceReview& place) { return place.totals.incrementalM2h > 0; });
-    if (anyIncremental && !scene.source.study.timelines.empty())
-        diagram->caption.first += QStringLiteral(": the most incremental shadow on a place at one moment");
+    if (worst->place) diagram->caption.first += QStringLiteral(": ") + momentText(scene, *worst->place);
     page.items.push_back({picture, *std::move(diagram)});
     DiagramFoot legend = makeFoot(scene, layout.scale, DiagramFoot::Subject::shadows);
     if (scene.keyPt > 0) legend.note = QStringLiteral("Numbers in a white field: places of the table.");

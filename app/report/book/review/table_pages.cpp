@@ -67,6 +67,17 @@ std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
         std::move(table)};
 }
 
+constexpr qsizetype formerColumn = 3;
+
+bool isEmptyColumn(const PageTable& table, qsizetype column, const QString& none) {
+    return std::ranges::all_of(table.rows, [&](const auto& row) { return row[column] == none; });
+}
+
+void removeColumn(PageTable& table, qsizetype column) {
+    table.titles.erase(table.titles.begin() + column);
+    for (auto& row : table.rows) row.erase(row.begin() + column);
+}
+
 /// The numbers behind the verdicts.
 std::optional<NamedTable> criteriaTable(const ReviewScene& scene) {
     PageTable table{{QStringLiteral("Place"), QStringLiteral("Criterion"), QStringLiteral("Measured"),
@@ -97,8 +108,14 @@ std::optional<NamedTable> criteriaTable(const ReviewScene& scene) {
         }
     }
     if (table.rows.empty()) return std::nullopt;
-    return NamedTable{QStringLiteral("Criteria: the figures behind the verdicts"), leftOutText(scene),
-                      std::move(table)};
+    QStringList notes;
+    if (isEmptyColumn(table, formerColumn, none))
+        removeColumn(table, formerColumn);
+    else
+        notes << QStringLiteral("Former: the same in the baseline, where a limit compares with it");
+    if (const QString leftOut = leftOutText(scene); !leftOut.isEmpty()) notes << leftOut;
+    return NamedTable{QStringLiteral("Criteria: the figures behind the verdicts"),
+                      notes.join(QStringLiteral(". ")), std::move(table)};
 }
 
 QString areaHours(const ReviewScene& scene, double m2h) {

@@ -1,0 +1,30 @@
+#pragma once
+
+// Whether a proposal stands where shadow is measured, and a region that holds it.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/describe/answer_page.h"
+#include "core/receivers/receivers.h"
+
+namespace noonmark {
+
+struct ImpactAnswer;
+
+enum class InRegion { whole, part, none };
+
+/// How much of a building's ground, by its bounding box, is in the region; of several: `whole` if all are,
+/// `none` if no part of any is. None at all: whole.
+InRegion findInRegion(const std::vector<std::shared_ptr<const Building>>& buildings, const Region& region);
+
+/// A box as large as the region, around the buildings; larger where these and 50 m around them need it.
+/// `buildings`: at least one.
+Region makeRegionAround(const std::vector<std::shared_ptr<const Building>>& buildings, const Region& region);
+
+/// What a comparison leaves out: its proposal stands outside the region, or changes shadow by more than the
+/// first threshold beside the region's edge, and probably beyond. None: neither. O(cells).
+std::optional<Sentence> describeBeyond(const ImpactAnswer& answer);
+
+}  // namespace noonmark
