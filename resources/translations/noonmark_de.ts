@@ -1168,10 +1168,6 @@ Zellen von %2 m</translation>
         <translation>? nicht geprüft</translation>
     </message>
     <message>
-        <source>Least sure figure: %1 (%2)</source>
-        <translation>Unsicherste Zahl: %1 (%2)</translation>
-    </message>
-    <message>
         <source>building</source>
         <translation>Gebäude</translation>
     </message>
@@ -2492,6 +2488,43 @@ Opens the panel Review.</source>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>time in shadow, which trees are counted</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 tree(s) take sun from it, %2 % of the shadow.</source>
+        <translation>
+            <numerusform>%1 Baum nimmt ihm Sonne, %2 % des Schattens.</numerusform>
+            <numerusform>%1 Bäume nehmen ihm Sonne, %2 % des Schattens.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Tree %1</source>
+        <comment>its species or number</comment>
+        <translation>Baum %1</translation>
+    </message>
+    <message>
+        <source>Least sure: %1 (%2, %3)</source>
+        <translation>Am wenigsten gesichert: %1 (%2, %3)</translation>
+    </message>
+    <message>
+        <source>Verdicts</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>; highest part %1</source>
+        <translation>; höchster Teil %1</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Höhenlage</translation>
+    </message>
+    <message>
+        <source>%1 to %2 above datum</source>
+        <translation>%1 bis %2 über Höhennull</translation>
     </message>
 </context>
 <context>
@@ -4420,10 +4453,6 @@ Opens the panel Review.</source>
         <translation>überbaut</translation>
     </message>
     <message>
-        <source>now ground</source>
-        <translation>jetzt Boden</translation>
-    </message>
-    <message>
         <source>Shadow</source>
         <translation>Schatten</translation>
     </message>
@@ -5284,10 +5313,6 @@ Opens the panel Review.</source>
         <translation>Bäume auf Karten</translation>
     </message>
     <message>
-        <source>Which shadow maps and sheets of studies and comparisons show where trees reach; files of values hold all that were measured</source>
-        <translation>Welchen Schatten Karten und Blätter von Studien und Vergleichen zeigen, wo Bäume hinreichen; Dateien mit Werten enthalten alles Gemessene</translation>
-    </message>
-    <message>
         <source>With trees as evergreens their number is %1, at most %2 at one spot.</source>
         <translation>Mit Bäumen als Immergrünen sind es %1, höchstens %2 an einer Stelle.</translation>
     </message>
@@ -5590,6 +5615,86 @@ Opens the panel Review.</source>
     <message>
         <source>writing the map</source>
         <translation>schreibt die Karte</translation>
+    </message>
+    <message>
+        <source>building gone</source>
+        <translation>Gebäude entfernt</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Laub</translation>
+    </message>
+    <message>
+        <source>Whether it keeps its leaves (default: as its genus)</source>
+        <translation>Ob er sein Laub behält (Vorgabe: wie seine Gattung)</translation>
+    </message>
+    <message>
+        <source>as its genus</source>
+        <translation>wie seine Gattung</translation>
+    </message>
+    <message>
+        <source>First day in leaf</source>
+        <translation>Erster Tag mit Laub</translation>
+    </message>
+    <message>
+        <source>First day in leaf of a tree that loses its leaves (default: as the city&apos;s trees)</source>
+        <translation>Erster Tag mit Laub eines Baums, der es verliert (Vorgabe: wie die Bäume der Stadt)</translation>
+    </message>
+    <message>
+        <source>MM-DD; as the city&apos;s trees</source>
+        <translation>MM-TT; wie die Bäume der Stadt</translation>
+    </message>
+    <message>
+        <source>First day without leaves</source>
+        <translation>Erster Tag ohne Laub</translation>
+    </message>
+    <message>
+        <source>First day without leaves of a tree that loses them (default: as the city&apos;s trees)</source>
+        <translation>Erster Tag ohne Laub eines Baums, der es verliert (Vorgabe: wie die Bäume der Stadt)</translation>
+    </message>
+    <message>
+        <source>Which shadow maps and sheets show where trees reach; files of values hold all that were measured</source>
+        <translation>Welchen Schatten Karten und Blätter zeigen, wo Bäume hinreichen; Dateien mit Werten enthalten alle gemessenen</translation>
+    </message>
+    <message>
+        <source>the days</source>
+        <translation>die Tage</translation>
+    </message>
+    <message>
+        <source>the hours</source>
+        <translation>die Stunden</translation>
+    </message>
+    <message>
+        <source>the clock</source>
+        <translation>die Uhrzeit</translation>
+    </message>
+    <message>
+        <source>the day %1</source>
+        <translation>der Tag %1</translation>
+    </message>
+    <message>
+        <source>the limit of &quot;%1&quot;</source>
+        <translation>der Grenzwert von „%1“</translation>
+    </message>
+    <message>
+        <source>the share of &quot;%1&quot;</source>
+        <translation>der Anteil von „%1“</translation>
+    </message>
+    <message>
+        <source>the hours of sunshine</source>
+        <translation>die Sonnenstunden</translation>
+    </message>
+    <message>
+        <source>What %1 builds stands outside the region: the figures are of the shadow that reaches into it.</source>
+        <translation>Was %1 baut, steht außerhalb des Gebiets: Die Zahlen gelten für den Schatten, der hineinreicht.</translation>
+    </message>
+    <message>
+        <source>A part of what %1 builds stands outside the region: the figures are of the shadow in it.</source>
+        <translation>Ein Teil dessen, was %1 baut, steht außerhalb des Gebiets: Die Zahlen gelten für den Schatten darin.</translation>
+    </message>
+    <message>
+        <source>The change by more than %1 a day reaches the region&apos;s edge: beyond it is not measured.</source>
+        <translation>Die Änderung um mehr als %1 am Tag reicht bis zum Rand des Gebiets: Dahinter wird nicht gemessen.</translation>
     </message>
 </context>
 <context>
@@ -5945,6 +6050,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>Building</source>
         <translation>Gebäude</translation>
     </message>
+    <message>
+        <source>Building or tree</source>
+        <translation>Gebäude oder Baum</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ContributionsDock</name>
@@ -6082,6 +6191,14 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>reload %1</source>
         <translation>%1 neu laden</translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation>Gebiet</translation>
+    </message>
+    <message>
+        <source>The study&apos;s region is now around what you built; Study &gt; Where changes it</source>
+        <translation>Das Untersuchungsgebiet liegt jetzt um das, was Sie gebaut haben; „Untersuchung &gt; Wo“ ändert es</translation>
     </message>
 </context>
 <context>
@@ -6548,12 +6665,24 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Projekt zuerst speichern ...</translation>
     </message>
     <message>
-        <source>A result can be verified only with the project that it comes from, and this project is not saved</source>
-        <translation>Ein Ergebnis lässt sich nur mit dem Projekt prüfen, aus dem es stammt, und dieses Projekt ist nicht gespeichert</translation>
-    </message>
-    <message>
         <source>What is exported has its sheets always, or has none</source>
         <translation>Was ausgegeben wird, hat seine Blätter immer oder hat keine</translation>
+    </message>
+    <message>
+        <source>A result can be verified only with the project that it comes from</source>
+        <translation>Ein Ergebnis kann nur mit dem Projekt nachgeprüft werden, aus dem es stammt</translation>
+    </message>
+    <message>
+        <source>The project has changes that are not saved: what is exported now cannot be verified.</source>
+        <translation>Das Projekt hat ungespeicherte Änderungen: Was jetzt exportiert wird, kann nicht nachgeprüft werden.</translation>
+    </message>
+    <message>
+        <source>The project is not saved: what is exported now cannot be verified.</source>
+        <translation>Das Projekt ist nicht gespeichert: Was jetzt exportiert wird, kann nicht nachgeprüft werden.</translation>
+    </message>
+    <message>
+        <source>Save project first</source>
+        <translation>Projekt zuerst speichern</translation>
     </message>
 </context>
 <context>
@@ -6942,6 +7071,14 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     <message>
         <source>Ctrl+F1</source>
         <translation>Ctrl+F1</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>What do you want to know of this city?</source>
+        <translation>Was möchten Sie über diese Stadt wissen?</translation>
     </message>
 </context>
 <context>
@@ -7518,6 +7655,22 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
     <message>
         <source>The project&apos;s lots, and those of buildings that towers have replaced</source>
         <translation>Die Grundstücke des Projekts und die von Gebäuden, die Türme ersetzt haben</translation>
+    </message>
+    <message>
+        <source>A part of the tower stands outside the study&apos;s region, which alone is measured.</source>
+        <translation>Ein Teil des Turms steht außerhalb des Untersuchungsgebiets; nur dort wird gemessen.</translation>
+    </message>
+    <message>
+        <source>The tower stands outside the study&apos;s region, which alone is measured.</source>
+        <translation>Der Turm steht außerhalb des Untersuchungsgebiets; nur dort wird gemessen.</translation>
+    </message>
+    <message>
+        <source>Move the region here</source>
+        <translation>Untersuchungsgebiet hierher verschieben</translation>
+    </message>
+    <message>
+        <source>Studies, comparisons and exports then measure the ground around the tower</source>
+        <translation>Studien, Vergleiche und Exporte messen dann den Boden um den Turm</translation>
     </message>
 </context>
 <context>
@@ -8488,6 +8641,30 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source> h of shade</source>
+        <translation> h Schatten</translation>
+    </message>
+    <message>
+        <source>&lt; </source>
+        <translation>&lt; </translation>
+    </message>
+    <message>
+        <source>any shade</source>
+        <translation>jeder Schatten</translation>
+    </message>
+    <message>
+        <source>Counts and lists the places with less shade than this, instead of those with too little sun</source>
+        <translation>Zählt und listet die Orte mit weniger Schatten als diesem statt derer mit zu wenig Sonne</translation>
+    </message>
+    <message>
+        <source>%1 have less than %2 h of shade a day</source>
+        <translation>%1 haben weniger als %2 h Schatten am Tag</translation>
+    </message>
+    <message>
+        <source>%1 have less than %2 h of shade on %3</source>
+        <translation>%1 haben am %3 weniger als %2 h Schatten</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesForm</name>
@@ -8696,6 +8873,24 @@ With trees: %1</source>
         <translation>
 Mit Bäumen: %1</translation>
     </message>
+    <message>
+        <source>
+Sky view factor with trees: %1 with their seasons, %2 as evergreens</source>
+        <translation>
+Himmelssichtfaktor mit Bäumen: %1 mit ihren Jahreszeiten, %2 als Immergrüne</translation>
+    </message>
+    <message>
+        <source>
+Vertical sky component with trees: %1 % and %2 %</source>
+        <translation>
+Vertikaler Himmelslichtanteil mit Bäumen: %1 % und %2 %</translation>
+    </message>
+    <message>
+        <source>
+Taken by trees: %1</source>
+        <translation>
+Von Bäumen genommen: %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PointInspector</name>
@@ -8742,10 +8937,6 @@ Mit Bäumen: %1</translation>
         <translation>Das Szenario, dessen Sonne am Punkt verglichen wird</translation>
     </message>
     <message>
-        <source>The point&apos;s sun and sky in every scenario of the project. Copy (Ctrl+C) takes the table</source>
-        <translation>Sonne und Himmel des Punkts in jedem Szenario des Projekts. Kopieren (Strg+C) übernimmt die Tabelle</translation>
-    </message>
-    <message>
         <source>Scenario</source>
         <translation>Szenario</translation>
     </message>
@@ -8784,6 +8975,10 @@ Mit Bäumen: %1</translation>
     <message>
         <source>the displayed scenario</source>
         <translation>das angezeigte Szenario</translation>
+    </message>
+    <message>
+        <source>The point&apos;s sun and sky in every scenario of the project, without trees. Copy (Ctrl+C) takes the table</source>
+        <translation>Sonne und Himmel des Punkts in jedem Szenario des Projekts, ohne Bäume. Kopieren (Strg+C) nimmt die Tabelle</translation>
     </message>
 </context>
 <context>
@@ -9488,10 +9683,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
 <context>
     <name>noonmark::ReviewDock</name>
     <message>
-        <source>Run review</source>
-        <translation>Prüfen</translation>
-    </message>
-    <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
     </message>
@@ -9572,10 +9763,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>&lt;h4&gt;Zahlen mit Stand und Quelle&lt;/h4&gt;</translation>
     </message>
     <message>
-        <source>Evaluate the rule on the ticked places, or on the windows</source>
-        <translation>Wertet die Regel an den angekreuzten Orten oder an den Fenstern aus</translation>
-    </message>
-    <message>
         <source>A rule about windows has no timeline: click a row to read when its window has sun.</source>
         <translation>Eine Regel über Fenster hat keinen Zeitverlauf: Ein Klick auf eine Zeile zeigt, wann ihr Fenster Sonne hat.</translation>
     </message>
@@ -9590,6 +9777,17 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: %2 as it stands. %3</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;: %2 im jetzigen Zustand. %3</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReviewForm</name>
+    <message>
+        <source>Run review</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Evaluate the rule on the ticked places, or on the windows</source>
+        <translation>Wertet die Regel an den angekreuzten Orten oder an den Fenstern aus</translation>
     </message>
     <message>
         <source>Expected time: %1</source>
@@ -11315,6 +11513,10 @@ vom Jahr ebenso viele Wochen</translation>
         <source>The city has no trees yet. Plant some, or read those of a file</source>
         <translation>Die Stadt hat noch keine Bäume. Pflanzen Sie welche, oder lesen Sie die einer Datei</translation>
     </message>
+    <message>
+        <source>loses its leaves (days of its own)</source>
+        <translation>verliert sein Laub (eigene Tage)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::UseTable</name>
@@ -12399,6 +12601,22 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>%1, south-east of %2</source>
         <translation>%1, südöstlich von %2</translation>
+    </message>
+    <message>
+        <source>evergreen</source>
+        <translation>immergrün</translation>
+    </message>
+    <message>
+        <source>loses its leaves</source>
+        <translation>wirft die Blätter ab</translation>
+    </message>
+    <message>
+        <source>First day in leaf</source>
+        <translation>Erster Tag mit Laub</translation>
+    </message>
+    <message>
+        <source>First day without leaves</source>
+        <translation>Erster Tag ohne Laub</translation>
     </message>
 </context>
 </TS>

@@ -209,6 +209,13 @@
             <numerusform>%1 trees are added.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 tree(s) take sun from it, %2 % of the shadow.</source>
+        <translation>
+            <numerusform>%1 tree takes sun from it, %2 % of the shadow.</numerusform>
+            <numerusform>%1 trees take sun from it, %2 % of the shadow.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noonmark::BuildingEditing</name>

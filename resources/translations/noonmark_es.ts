@@ -1168,10 +1168,6 @@ celdas de %2 m</translation>
         <translation>? no comprobado</translation>
     </message>
     <message>
-        <source>Least sure figure: %1 (%2)</source>
-        <translation>Cifra menos segura: %1 (%2)</translation>
-    </message>
-    <message>
         <source>building</source>
         <translation>edificio</translation>
     </message>
@@ -2492,6 +2488,43 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>time in shadow, which trees are counted</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 tree(s) take sun from it, %2 % of the shadow.</source>
+        <translation>
+            <numerusform>%1 árbol le quita sol, el %2 % de la sombra.</numerusform>
+            <numerusform>%1 árboles le quitan sol, el %2 % de la sombra.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Tree %1</source>
+        <comment>its species or number</comment>
+        <translation>Árbol %1</translation>
+    </message>
+    <message>
+        <source>Least sure: %1 (%2, %3)</source>
+        <translation>Menos seguro: %1 (%2, %3)</translation>
+    </message>
+    <message>
+        <source>Verdicts</source>
+        <translation>Dictámenes</translation>
+    </message>
+    <message>
+        <source>; highest part %1</source>
+        <translation>; parte más alta %1</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Cota</translation>
+    </message>
+    <message>
+        <source>%1 to %2 above datum</source>
+        <translation>%1 a %2 sobre el dátum</translation>
     </message>
 </context>
 <context>
@@ -4420,10 +4453,6 @@ Abre el panel Evaluación.</translation>
         <translation>edificado</translation>
     </message>
     <message>
-        <source>now ground</source>
-        <translation>ahora suelo</translation>
-    </message>
-    <message>
         <source>Shadow</source>
         <translation>Sombra</translation>
     </message>
@@ -5284,10 +5313,6 @@ Abre el panel Evaluación.</translation>
         <translation>Árboles en los mapas</translation>
     </message>
     <message>
-        <source>Which shadow maps and sheets of studies and comparisons show where trees reach; files of values hold all that were measured</source>
-        <translation>Qué sombra muestran los mapas y las hojas de estudios y comparaciones donde llegan los árboles; los archivos de valores contienen todo lo medido</translation>
-    </message>
-    <message>
         <source>With trees as evergreens their number is %1, at most %2 at one spot.</source>
         <translation>Con los árboles como perennes son %1, como máximo %2 en un punto.</translation>
     </message>
@@ -5590,6 +5615,86 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>writing the map</source>
         <translation>escribiendo el mapa</translation>
+    </message>
+    <message>
+        <source>building gone</source>
+        <translation>edificio eliminado</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Hojas</translation>
+    </message>
+    <message>
+        <source>Whether it keeps its leaves (default: as its genus)</source>
+        <translation>Si conserva las hojas (por defecto: como su género)</translation>
+    </message>
+    <message>
+        <source>as its genus</source>
+        <translation>como su género</translation>
+    </message>
+    <message>
+        <source>First day in leaf</source>
+        <translation>Primer día con hojas</translation>
+    </message>
+    <message>
+        <source>First day in leaf of a tree that loses its leaves (default: as the city&apos;s trees)</source>
+        <translation>Primer día con hojas de un árbol que las pierde (por defecto: como los árboles de la ciudad)</translation>
+    </message>
+    <message>
+        <source>MM-DD; as the city&apos;s trees</source>
+        <translation>MM-DD; como los árboles de la ciudad</translation>
+    </message>
+    <message>
+        <source>First day without leaves</source>
+        <translation>Primer día sin hojas</translation>
+    </message>
+    <message>
+        <source>First day without leaves of a tree that loses them (default: as the city&apos;s trees)</source>
+        <translation>Primer día sin hojas de un árbol que las pierde (por defecto: como los árboles de la ciudad)</translation>
+    </message>
+    <message>
+        <source>Which shadow maps and sheets show where trees reach; files of values hold all that were measured</source>
+        <translation>Qué sombra muestran los mapas y las hojas donde alcanzan los árboles; los archivos de valores contienen todas las medidas</translation>
+    </message>
+    <message>
+        <source>the days</source>
+        <translation>los días</translation>
+    </message>
+    <message>
+        <source>the hours</source>
+        <translation>las horas</translation>
+    </message>
+    <message>
+        <source>the clock</source>
+        <translation>la hora oficial</translation>
+    </message>
+    <message>
+        <source>the day %1</source>
+        <translation>el día %1</translation>
+    </message>
+    <message>
+        <source>the limit of &quot;%1&quot;</source>
+        <translation>el límite de «%1»</translation>
+    </message>
+    <message>
+        <source>the share of &quot;%1&quot;</source>
+        <translation>la proporción de «%1»</translation>
+    </message>
+    <message>
+        <source>the hours of sunshine</source>
+        <translation>las horas de sol</translation>
+    </message>
+    <message>
+        <source>What %1 builds stands outside the region: the figures are of the shadow that reaches into it.</source>
+        <translation>Lo que construye %1 está fuera de la zona: las cifras son de la sombra que llega a ella.</translation>
+    </message>
+    <message>
+        <source>A part of what %1 builds stands outside the region: the figures are of the shadow in it.</source>
+        <translation>Una parte de lo que construye %1 está fuera de la zona: las cifras son de la sombra dentro de ella.</translation>
+    </message>
+    <message>
+        <source>The change by more than %1 a day reaches the region&apos;s edge: beyond it is not measured.</source>
+        <translation>El cambio de más de %1 al día llega al borde de la zona: más allá no se mide.</translation>
     </message>
 </context>
 <context>
@@ -5945,6 +6050,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>Building</source>
         <translation>Edificio</translation>
     </message>
+    <message>
+        <source>Building or tree</source>
+        <translation>Edificio o árbol</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ContributionsDock</name>
@@ -6082,6 +6191,14 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>reload %1</source>
         <translation>recargar %1</translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation>zona</translation>
+    </message>
+    <message>
+        <source>The study&apos;s region is now around what you built; Study &gt; Where changes it</source>
+        <translation>La zona del estudio rodea ahora lo que ha construido; se cambia en «Estudio &gt; Dónde»</translation>
     </message>
 </context>
 <context>
@@ -6548,12 +6665,24 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Guardar antes el proyecto...</translation>
     </message>
     <message>
-        <source>A result can be verified only with the project that it comes from, and this project is not saved</source>
-        <translation>Un resultado solo puede verificarse con el proyecto del que procede, y este proyecto no está guardado</translation>
-    </message>
-    <message>
         <source>What is exported has its sheets always, or has none</source>
         <translation>Lo que se exporta tiene siempre sus hojas, o no tiene ninguna</translation>
+    </message>
+    <message>
+        <source>A result can be verified only with the project that it comes from</source>
+        <translation>Un resultado solo se puede verificar con el proyecto del que procede</translation>
+    </message>
+    <message>
+        <source>The project has changes that are not saved: what is exported now cannot be verified.</source>
+        <translation>El proyecto tiene cambios sin guardar: lo que se exporte ahora no se podrá verificar.</translation>
+    </message>
+    <message>
+        <source>The project is not saved: what is exported now cannot be verified.</source>
+        <translation>El proyecto no está guardado: lo que se exporte ahora no se podrá verificar.</translation>
+    </message>
+    <message>
+        <source>Save project first</source>
+        <translation>Guardar antes el proyecto</translation>
     </message>
 </context>
 <context>
@@ -6942,6 +7071,14 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     <message>
         <source>Ctrl+F1</source>
         <translation>Ctrl+F1</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Preguntas</translation>
+    </message>
+    <message>
+        <source>What do you want to know of this city?</source>
+        <translation>¿Qué quiere saber de esta ciudad?</translation>
     </message>
 </context>
 <context>
@@ -7518,6 +7655,22 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
     <message>
         <source>The project&apos;s lots, and those of buildings that towers have replaced</source>
         <translation>Las parcelas del proyecto y las de los edificios que las torres han sustituido</translation>
+    </message>
+    <message>
+        <source>A part of the tower stands outside the study&apos;s region, which alone is measured.</source>
+        <translation>Una parte de la torre está fuera de la zona del estudio, que es lo único que se mide.</translation>
+    </message>
+    <message>
+        <source>The tower stands outside the study&apos;s region, which alone is measured.</source>
+        <translation>La torre está fuera de la zona del estudio, que es lo único que se mide.</translation>
+    </message>
+    <message>
+        <source>Move the region here</source>
+        <translation>Mover la zona aquí</translation>
+    </message>
+    <message>
+        <source>Studies, comparisons and exports then measure the ground around the tower</source>
+        <translation>Los estudios, comparaciones y exportaciones miden entonces el suelo alrededor de la torre</translation>
     </message>
 </context>
 <context>
@@ -8488,6 +8641,30 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source> h of shade</source>
+        <translation> h de sombra</translation>
+    </message>
+    <message>
+        <source>&lt; </source>
+        <translation>&lt; </translation>
+    </message>
+    <message>
+        <source>any shade</source>
+        <translation>cualquier sombra</translation>
+    </message>
+    <message>
+        <source>Counts and lists the places with less shade than this, instead of those with too little sun</source>
+        <translation>Cuenta y enumera los lugares con menos sombra que esta, en vez de los que tienen poco sol</translation>
+    </message>
+    <message>
+        <source>%1 have less than %2 h of shade a day</source>
+        <translation>%1 tienen menos de %2 h de sombra al día</translation>
+    </message>
+    <message>
+        <source>%1 have less than %2 h of shade on %3</source>
+        <translation>%1 tienen menos de %2 h de sombra el %3</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesForm</name>
@@ -8696,6 +8873,24 @@ With trees: %1</source>
         <translation>
 Con árboles: %1</translation>
     </message>
+    <message>
+        <source>
+Sky view factor with trees: %1 with their seasons, %2 as evergreens</source>
+        <translation>
+Factor de visión del cielo con árboles: %1 con sus estaciones, %2 como perennes</translation>
+    </message>
+    <message>
+        <source>
+Vertical sky component with trees: %1 % and %2 %</source>
+        <translation>
+Componente vertical del cielo con árboles: %1 % y %2 %</translation>
+    </message>
+    <message>
+        <source>
+Taken by trees: %1</source>
+        <translation>
+Quitado por árboles: %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PointInspector</name>
@@ -8742,10 +8937,6 @@ Con árboles: %1</translation>
         <translation>El escenario cuyo sol en el punto se compara</translation>
     </message>
     <message>
-        <source>The point&apos;s sun and sky in every scenario of the project. Copy (Ctrl+C) takes the table</source>
-        <translation>Sol y cielo del punto en cada escenario del proyecto. Copiar (Ctrl+C) toma la tabla</translation>
-    </message>
-    <message>
         <source>Scenario</source>
         <translation>Escenario</translation>
     </message>
@@ -8784,6 +8975,10 @@ Con árboles: %1</translation>
     <message>
         <source>the displayed scenario</source>
         <translation>el escenario mostrado</translation>
+    </message>
+    <message>
+        <source>The point&apos;s sun and sky in every scenario of the project, without trees. Copy (Ctrl+C) takes the table</source>
+        <translation>El sol y el cielo del punto en cada escenario del proyecto, sin árboles. Copiar (Ctrl+C) toma la tabla</translation>
     </message>
 </context>
 <context>
@@ -9488,10 +9683,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
 <context>
     <name>noonmark::ReviewDock</name>
     <message>
-        <source>Run review</source>
-        <translation>Evaluar</translation>
-    </message>
-    <message>
         <source>Copy</source>
         <translation>Copiar</translation>
     </message>
@@ -9572,10 +9763,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>&lt;h4&gt;Cifras con estado y fuente&lt;/h4&gt;</translation>
     </message>
     <message>
-        <source>Evaluate the rule on the ticked places, or on the windows</source>
-        <translation>Evalúa la norma en los lugares marcados o en las ventanas</translation>
-    </message>
-    <message>
         <source>A rule about windows has no timeline: click a row to read when its window has sun.</source>
         <translation>Una norma sobre ventanas no tiene cronología: haga clic en una fila para leer cuándo tiene sol su ventana.</translation>
     </message>
@@ -9590,6 +9777,17 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: %2 as it stands. %3</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;: %2 en su estado actual. %3</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReviewForm</name>
+    <message>
+        <source>Run review</source>
+        <translation>Evaluar</translation>
+    </message>
+    <message>
+        <source>Evaluate the rule on the ticked places, or on the windows</source>
+        <translation>Evalúa la norma en los lugares marcados o en las ventanas</translation>
     </message>
     <message>
         <source>Expected time: %1</source>
@@ -11315,6 +11513,10 @@ del año, otras tantas semanas</translation>
         <source>The city has no trees yet. Plant some, or read those of a file</source>
         <translation>La ciudad aún no tiene árboles. Plante algunos o lea los de un archivo</translation>
     </message>
+    <message>
+        <source>loses its leaves (days of its own)</source>
+        <translation>pierde las hojas (días propios)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::UseTable</name>
@@ -12399,6 +12601,22 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>%1, south-east of %2</source>
         <translation>%1, al sureste de %2</translation>
+    </message>
+    <message>
+        <source>evergreen</source>
+        <translation>perenne</translation>
+    </message>
+    <message>
+        <source>loses its leaves</source>
+        <translation>pierde las hojas</translation>
+    </message>
+    <message>
+        <source>First day in leaf</source>
+        <translation>Primer día con hojas</translation>
+    </message>
+    <message>
+        <source>First day without leaves</source>
+        <translation>Primer día sin hojas</translation>
     </message>
 </context>
 </TS>

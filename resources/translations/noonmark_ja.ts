@@ -1168,10 +1168,6 @@ cells of %2 m</source>
         <translation>? 未確認</translation>
     </message>
     <message>
-        <source>Least sure figure: %1 (%2)</source>
-        <translation>最も不確かな数値: %1 (%2)</translation>
-    </message>
-    <message>
         <source>building</source>
         <translation>建物</translation>
     </message>
@@ -2462,6 +2458,42 @@ Opens the panel Review.</source>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>time in shadow, which trees are counted</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 tree(s) take sun from it, %2 % of the shadow.</source>
+        <translation>
+            <numerusform>%1 本の木が日光を遮り、影の %2 % を占めます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Tree %1</source>
+        <comment>its species or number</comment>
+        <translation>樹木 %1</translation>
+    </message>
+    <message>
+        <source>Least sure: %1 (%2, %3)</source>
+        <translation>最も不確かなもの: %1 (%2、%3)</translation>
+    </message>
+    <message>
+        <source>Verdicts</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>; highest part %1</source>
+        <translation>、最も高い部分 %1</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>標高</translation>
+    </message>
+    <message>
+        <source>%1 to %2 above datum</source>
+        <translation>基準面から %1 ～ %2</translation>
     </message>
 </context>
 <context>
@@ -4390,10 +4422,6 @@ Opens the panel Review.</source>
         <translation>建物になった</translation>
     </message>
     <message>
-        <source>now ground</source>
-        <translation>地面になった</translation>
-    </message>
-    <message>
         <source>Shadow</source>
         <translation>日影</translation>
     </message>
@@ -5254,10 +5282,6 @@ Opens the panel Review.</source>
         <translation>地図の樹木</translation>
     </message>
     <message>
-        <source>Which shadow maps and sheets of studies and comparisons show where trees reach; files of values hold all that were measured</source>
-        <translation>樹木の影が届く範囲で、調査と比較の地図とシートが示す日陰。値のファイルには測定したすべてが入ります</translation>
-    </message>
-    <message>
         <source>With trees as evergreens their number is %1, at most %2 at one spot.</source>
         <translation>樹木を常緑とすると %1、一点で最大 %2。</translation>
     </message>
@@ -5560,6 +5584,86 @@ Opens the panel Review.</source>
     <message>
         <source>writing the map</source>
         <translation>地図を書き出しています</translation>
+    </message>
+    <message>
+        <source>building gone</source>
+        <translation>建物は撤去済み</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>葉</translation>
+    </message>
+    <message>
+        <source>Whether it keeps its leaves (default: as its genus)</source>
+        <translation>葉を保つか(既定: 属による)</translation>
+    </message>
+    <message>
+        <source>as its genus</source>
+        <translation>属による</translation>
+    </message>
+    <message>
+        <source>First day in leaf</source>
+        <translation>着葉の初日</translation>
+    </message>
+    <message>
+        <source>First day in leaf of a tree that loses its leaves (default: as the city&apos;s trees)</source>
+        <translation>落葉する木が葉を付ける最初の日(既定: 都市の樹木と同じ)</translation>
+    </message>
+    <message>
+        <source>MM-DD; as the city&apos;s trees</source>
+        <translation>MM-DD、都市の樹木と同じ</translation>
+    </message>
+    <message>
+        <source>First day without leaves</source>
+        <translation>落葉の初日</translation>
+    </message>
+    <message>
+        <source>First day without leaves of a tree that loses them (default: as the city&apos;s trees)</source>
+        <translation>落葉する木が葉を失う最初の日(既定: 都市の樹木と同じ)</translation>
+    </message>
+    <message>
+        <source>Which shadow maps and sheets show where trees reach; files of values hold all that were measured</source>
+        <translation>樹木の影が届く所で地図と図面に示す影。値のファイルには測定したすべてが入ります</translation>
+    </message>
+    <message>
+        <source>the days</source>
+        <translation>日</translation>
+    </message>
+    <message>
+        <source>the hours</source>
+        <translation>時間帯</translation>
+    </message>
+    <message>
+        <source>the clock</source>
+        <translation>時刻系</translation>
+    </message>
+    <message>
+        <source>the day %1</source>
+        <translation>%1 の日</translation>
+    </message>
+    <message>
+        <source>the limit of &quot;%1&quot;</source>
+        <translation>「%1」の限度</translation>
+    </message>
+    <message>
+        <source>the share of &quot;%1&quot;</source>
+        <translation>「%1」の割合</translation>
+    </message>
+    <message>
+        <source>the hours of sunshine</source>
+        <translation>日照時間</translation>
+    </message>
+    <message>
+        <source>What %1 builds stands outside the region: the figures are of the shadow that reaches into it.</source>
+        <translation>%1 の建物は範囲の外にあります。数値は範囲に届く影のものです。</translation>
+    </message>
+    <message>
+        <source>A part of what %1 builds stands outside the region: the figures are of the shadow in it.</source>
+        <translation>%1 の建物の一部は範囲の外にあります。数値は範囲内の影のものです。</translation>
+    </message>
+    <message>
+        <source>The change by more than %1 a day reaches the region&apos;s edge: beyond it is not measured.</source>
+        <translation>1 日 %1 を超える変化が範囲の端に達しています。その外は測定されません。</translation>
     </message>
 </context>
 <context>
@@ -5901,7 +6005,7 @@ as published. Approximate: the legend states the measured error</source>
     </message>
     <message>
         <source>A saved result holds what buildings take from its whole region, if that was asked for. Of places it holds those that were attributed before it was saved.</source>
-        <translation>保存した結果には、求められていれば領域全体から建物が奪う量が含まれます。場所については、保存前に算出したものが含まれます。</translation>
+        <translation>保存した結果には、求められていれば範囲全体から建物が奪う量が含まれます。場所については、保存前に算出したものが含まれます。</translation>
     </message>
     <message>
         <source>Buildings have changed since the last answer. Run it again (Ctrl+R), then click a place in the view to see which buildings shade it.</source>
@@ -5913,6 +6017,10 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Building</source>
         <translation>建物</translation>
+    </message>
+    <message>
+        <source>Building or tree</source>
+        <translation>建物または樹木</translation>
     </message>
 </context>
 <context>
@@ -6051,6 +6159,14 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>reload %1</source>
         <translation>%1 の再読み込み</translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>The study&apos;s region is now around what you built; Study &gt; Where changes it</source>
+        <translation>検討範囲を建てたものの周りに移しました。「検討 &gt; 場所」で変更できます</translation>
     </message>
 </context>
 <context>
@@ -6227,11 +6343,11 @@ as published. Approximate: the legend states the measured error</source>
     <name>noonmark::ElementForm</name>
     <message>
         <source>all of the region</source>
-        <translation>領域内のすべて</translation>
+        <translation>範囲内のすべて</translation>
     </message>
     <message>
         <source>Names or ids of buildings, with commas between them; their middle must be in the region. Empty: all buildings of the region</source>
-        <translation>建物の名前またはID(コンマ区切り)。中心が領域内にあること。空欄: 領域内のすべての建物</translation>
+        <translation>建物の名前またはID(コンマ区切り)。中心が範囲内にあること。空欄: 範囲内のすべての建物</translation>
     </message>
     <message>
         <source>Adds the selected building, or removes it. Click a building first.</source>
@@ -6513,12 +6629,24 @@ as published. Approximate: the legend states the measured error</source>
         <translation>先にプロジェクトを保存...</translation>
     </message>
     <message>
-        <source>A result can be verified only with the project that it comes from, and this project is not saved</source>
-        <translation>結果は元のプロジェクトがなければ検証できず、このプロジェクトは保存されていない</translation>
-    </message>
-    <message>
         <source>What is exported has its sheets always, or has none</source>
         <translation>書き出す対象には常にシートがあるか、まったくありません</translation>
+    </message>
+    <message>
+        <source>A result can be verified only with the project that it comes from</source>
+        <translation>結果は元のプロジェクトがあるときだけ検証できます</translation>
+    </message>
+    <message>
+        <source>The project has changes that are not saved: what is exported now cannot be verified.</source>
+        <translation>プロジェクトに保存されていない変更があります。いま書き出すものは検証できません。</translation>
+    </message>
+    <message>
+        <source>The project is not saved: what is exported now cannot be verified.</source>
+        <translation>プロジェクトが保存されていません。いま書き出すものは検証できません。</translation>
+    </message>
+    <message>
+        <source>Save project first</source>
+        <translation>先にプロジェクトを保存</translation>
     </message>
 </context>
 <context>
@@ -6907,6 +7035,14 @@ A click on a tile selects its row, a click on a row frames its window.</source>
         <source>Ctrl+F1</source>
         <translation>Ctrl+F1</translation>
     </message>
+    <message>
+        <source>Questions</source>
+        <translation>質問</translation>
+    </message>
+    <message>
+        <source>What do you want to know of this city?</source>
+        <translation>この都市について何を知りたいですか?</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::HorizonCache</name>
@@ -7158,7 +7294,7 @@ Continuous shadow stays as it is: the longest run in the sun does not follow fro
     </message>
     <message>
         <source>The parcel that the lines run around: a lot, region or place of the project by its name, or the path of a polygon file</source>
-        <translation>線が囲む敷地: プロジェクトの敷地・領域・場所の名前、またはポリゴンファイルのパス</translation>
+        <translation>線が囲む敷地: プロジェクトの敷地・範囲・場所の名前、またはポリゴンファイルのパス</translation>
     </message>
     <message>
         <source>Distance from point to point on a line</source>
@@ -7482,6 +7618,22 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
     <message>
         <source>The project&apos;s lots, and those of buildings that towers have replaced</source>
         <translation>プロジェクトの敷地と、タワーが置き換えた建物の敷地</translation>
+    </message>
+    <message>
+        <source>A part of the tower stands outside the study&apos;s region, which alone is measured.</source>
+        <translation>タワーの一部が検討範囲の外にあります。測定されるのは範囲内だけです。</translation>
+    </message>
+    <message>
+        <source>The tower stands outside the study&apos;s region, which alone is measured.</source>
+        <translation>タワーが検討範囲の外にあります。測定されるのは範囲内だけです。</translation>
+    </message>
+    <message>
+        <source>Move the region here</source>
+        <translation>範囲をここへ移動</translation>
+    </message>
+    <message>
+        <source>Studies, comparisons and exports then measure the ground around the tower</source>
+        <translation>検討・比較・書き出しはタワーの周りの地面を測定するようになります</translation>
     </message>
 </context>
 <context>
@@ -8440,6 +8592,30 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <source>%1, %2</source>
         <translation>%1、%2</translation>
     </message>
+    <message>
+        <source> h of shade</source>
+        <translation> 時間の日陰</translation>
+    </message>
+    <message>
+        <source>&lt; </source>
+        <translation>&lt; </translation>
+    </message>
+    <message>
+        <source>any shade</source>
+        <translation>すべての日陰</translation>
+    </message>
+    <message>
+        <source>Counts and lists the places with less shade than this, instead of those with too little sun</source>
+        <translation>日照が足りない場所の代わりに、これより日陰の少ない場所を数えて一覧にします</translation>
+    </message>
+    <message>
+        <source>%1 have less than %2 h of shade a day</source>
+        <translation>%1 は 1 日の日陰が %2 時間未満です</translation>
+    </message>
+    <message>
+        <source>%1 have less than %2 h of shade on %3</source>
+        <translation>%1 は %3 の日陰が %2 時間未満です</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesForm</name>
@@ -8481,7 +8657,7 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     </message>
     <message>
         <source>Own regions %1</source>
-        <translation>自分の領域 %1</translation>
+        <translation>自分の範囲 %1</translation>
     </message>
     <message>
         <source>Read streets</source>
@@ -8648,6 +8824,24 @@ With trees: %1</source>
         <translation>
 樹木を含む: %1</translation>
     </message>
+    <message>
+        <source>
+Sky view factor with trees: %1 with their seasons, %2 as evergreens</source>
+        <translation>
+樹木を含む天空率: 季節変化あり %1、常緑として %2</translation>
+    </message>
+    <message>
+        <source>
+Vertical sky component with trees: %1 % and %2 %</source>
+        <translation>
+樹木を含む鉛直天空光成分: %1 % と %2 %</translation>
+    </message>
+    <message>
+        <source>
+Taken by trees: %1</source>
+        <translation>
+樹木が遮る分: %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PointInspector</name>
@@ -8694,10 +8888,6 @@ With trees: %1</source>
         <translation>この点の日照を比較するシナリオ</translation>
     </message>
     <message>
-        <source>The point&apos;s sun and sky in every scenario of the project. Copy (Ctrl+C) takes the table</source>
-        <translation>プロジェクトの全シナリオにおけるこの点の日照と天空。コピー (Ctrl+C) で表を取得できます</translation>
-    </message>
-    <message>
         <source>Scenario</source>
         <translation>シナリオ</translation>
     </message>
@@ -8736,6 +8926,10 @@ With trees: %1</source>
     <message>
         <source>the displayed scenario</source>
         <translation>表示中のシナリオ</translation>
+    </message>
+    <message>
+        <source>The point&apos;s sun and sky in every scenario of the project, without trees. Copy (Ctrl+C) takes the table</source>
+        <translation>プロジェクトの各シナリオでの地点の日照と天空(樹木なし)。コピー(Ctrl+C)で表を取り込みます</translation>
     </message>
 </context>
 <context>
@@ -9437,10 +9631,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
 <context>
     <name>noonmark::ReviewDock</name>
     <message>
-        <source>Run review</source>
-        <translation>審査する</translation>
-    </message>
-    <message>
         <source>Copy</source>
         <translation>コピー</translation>
     </message>
@@ -9521,10 +9711,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>&lt;h4&gt;数値の状態と出典&lt;/h4&gt;</translation>
     </message>
     <message>
-        <source>Evaluate the rule on the ticked places, or on the windows</source>
-        <translation>チェックした場所または窓について規則を評価します</translation>
-    </message>
-    <message>
         <source>A rule about windows has no timeline: click a row to read when its window has sun.</source>
         <translation>窓についての規則に時間経過はありません。行をクリックすると、その窓に日が当たる時間が表示されます。</translation>
     </message>
@@ -9539,6 +9725,17 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: %2 as it stands. %3</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;: %2 の現状。%3</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ReviewForm</name>
+    <message>
+        <source>Run review</source>
+        <translation>審査する</translation>
+    </message>
+    <message>
+        <source>Evaluate the rule on the ticked places, or on the windows</source>
+        <translation>チェックした場所または窓について規則を評価します</translation>
     </message>
     <message>
         <source>Expected time: %1</source>
@@ -11257,6 +11454,10 @@ of the year, as many weeks</source>
         <source>The city has no trees yet. Plant some, or read those of a file</source>
         <translation>都市にはまだ樹木がありません。植えるか、ファイルから読み込んでください</translation>
     </message>
+    <message>
+        <source>loses its leaves (days of its own)</source>
+        <translation>落葉する(固有の日付)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::UseTable</name>
@@ -12341,6 +12542,22 @@ Click a building first.</source>
     <message>
         <source>%1, south-east of %2</source>
         <translation>%1、%2の南東</translation>
+    </message>
+    <message>
+        <source>evergreen</source>
+        <translation>常緑</translation>
+    </message>
+    <message>
+        <source>loses its leaves</source>
+        <translation>落葉</translation>
+    </message>
+    <message>
+        <source>First day in leaf</source>
+        <translation>着葉の初日</translation>
+    </message>
+    <message>
+        <source>First day without leaves</source>
+        <translation>落葉の初日</translation>
     </message>
 </context>
 </TS>
