@@ -6005,7 +6005,7 @@ as published. Approximate: the legend states the measured error</source>
     </message>
     <message>
         <source>A saved result holds what buildings take from its whole region, if that was asked for. Of places it holds those that were attributed before it was saved.</source>
-        <translation>保存した結果には、求められていれば範囲全体から建物が奪う量が含まれます。場所については、保存前に算出したものが含まれます。</translation>
+        <translation>保存した結果には、求められていれば領域全体から建物が奪う量が含まれます。場所については、保存前に算出したものが含まれます。</translation>
     </message>
     <message>
         <source>Buildings have changed since the last answer. Run it again (Ctrl+R), then click a place in the view to see which buildings shade it.</source>
@@ -6343,11 +6343,11 @@ as published. Approximate: the legend states the measured error</source>
     <name>noonmark::ElementForm</name>
     <message>
         <source>all of the region</source>
-        <translation>範囲内のすべて</translation>
+        <translation>領域内のすべて</translation>
     </message>
     <message>
         <source>Names or ids of buildings, with commas between them; their middle must be in the region. Empty: all buildings of the region</source>
-        <translation>建物の名前またはID(コンマ区切り)。中心が範囲内にあること。空欄: 範囲内のすべての建物</translation>
+        <translation>建物の名前またはID(コンマ区切り)。中心が領域内にあること。空欄: 領域内のすべての建物</translation>
     </message>
     <message>
         <source>Adds the selected building, or removes it. Click a building first.</source>
@@ -7294,7 +7294,7 @@ Continuous shadow stays as it is: the longest run in the sun does not follow fro
     </message>
     <message>
         <source>The parcel that the lines run around: a lot, region or place of the project by its name, or the path of a polygon file</source>
-        <translation>線が囲む敷地: プロジェクトの敷地・範囲・場所の名前、またはポリゴンファイルのパス</translation>
+        <translation>線が囲む敷地: プロジェクトの敷地・領域・場所の名前、またはポリゴンファイルのパス</translation>
     </message>
     <message>
         <source>Distance from point to point on a line</source>
@@ -8657,7 +8657,7 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     </message>
     <message>
         <source>Own regions %1</source>
-        <translation>自分の範囲 %1</translation>
+        <translation>自分の領域 %1</translation>
     </message>
     <message>
         <source>Read streets</source>

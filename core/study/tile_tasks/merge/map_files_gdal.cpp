@@ -31,10 +31,6 @@ CPLStringList cloudOptions() {
     return options;
 }
 
-int continueUnlessStopped(double, const char*, void* stop) {
-    return static_cast<const std::stop_token*>(stop)->stop_requested() ? FALSE : TRUE;
-}
-
 }  // namespace
 
 Result<void> writeCloudMap(const std::filesystem::path& from, const std::filesystem::path& to,
