@@ -362,9 +362,10 @@ nlohmann::ordered_json treesJson(const std::vector<TreeContribution>& trees) {
     for (const TreeContribution& tree : trees) {
         const Contribution& first = tree.columns.front().second;
         json.push_back({{"source_id", first.id}, {"species", first.name}});
-        for (const auto& [column, one] : tree.columns)
-            for (const auto& [key, value] : figuresJson(contributionFigures().of(one)).items())
-                json.back()[key + suffixOf(column)] = value;
+        for (const auto& [column, one] : tree.columns) {
+            const Json figures = figuresJson(contributionFigures().of(one));
+            for (const auto& [key, value] : figures.items()) json.back()[key + suffixOf(column)] = value;
+        }
     }
     return json;
 }
