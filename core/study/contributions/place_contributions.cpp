@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/base/memory_guard.h"
+#include "core/engines/shade_trees.h"
 #include "core/measures/places/place_receivers.h"
 #include "core/receivers/rasterize.h"
 #include "core/study/by_place/sun_by_place.h"
@@ -76,7 +77,8 @@ Result<void> attributeToTrees(PlaceContributions& made, const City& city, const 
                               const SunSteps& sun, std::span<const TreeColumns> columns, Progress& progress,
                               const std::stop_token& stop) {
     if (!city.trees || columns.empty()) return {};
-    const auto taken = traceTakenByTree(city, receivers, sun, progress, stop);
+    const City weighed = withTreesFor(city, TreeColumns::all);
+    const auto taken = traceTakenByTree(weighed, receivers, sun, progress, stop);
     if (!taken) return tl::make_unexpected(taken.error());
     made.trees = listTreeContributions(city, *taken, columns, made.breakdown, made.days);
     return {};
