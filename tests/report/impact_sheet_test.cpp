@@ -71,13 +71,17 @@ TEST(ImpactSheet, StatesTheAreaThatLosesSunWhereTheMeanIsNothing) {
     Impact& impact = tower.answer.study.total;
     for (float& change : impact.grossMin)
         if (change != 0) change = 0;
-    const std::size_t cell = 3;
+    const std::size_t cell = impact.grid.index(3, 1);
     ASSERT_FALSE(std::isnan(impact.grossMin[cell]));
     impact.grossMin[cell] = 40;
     const Sheet sheet = makeSheet(tower.answer, {tower.after}, {});
     EXPECT_EQ(sheet.finding,
               QStringLiteral("Mill Tower takes sun from 64 m², at most 40 min a day at one spot."))
         << sheet.finding.toStdString();
+    impact.grossMin[impact.grid.index(3, 0)] = 40;
+    const QString beyond = makeSheet(tower.answer, {tower.after}, {}).finding;
+    EXPECT_TRUE(beyond.endsWith(QStringLiteral("reaches the region's edge: beyond it is not measured.")))
+        << beyond.toStdString();
 }
 
 TEST(ImpactSheet, OfNoChangeShowsTheWholeRegion) {

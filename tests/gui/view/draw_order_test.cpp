@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "app/gui/view/panel/ground_layers.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"
@@ -80,11 +81,10 @@ TEST_P(DrawOrder, ALowViewFromNearByIsDrawnToTheHorizon) {
     }
 }
 
-// The region's outline must be visible through buildings, faintly.
-TEST_P(DrawOrder, LinesAreSeenThroughBuildingsInEveryCityThatIsOpened) {
-    const auto isRed = [this] {
-        const QImage image = captured();
-        const QRect near = around({0, -40, 0}, 3);  // behind the southern house
+// What is drawn must be visible through buildings, faintly; the region's outline is not.
+TEST_P(DrawOrder, LinesAreSeenThroughBuildingsAndTheRegionIsNotInEveryCityThatIsOpened) {
+    const auto isRedAt = [this](const QImage& image, glm::dvec3 point) {
+        const QRect near = around(point, 3);
         for (int y = near.top(); y <= near.bottom(); ++y)
             for (int x = near.left(); x <= near.right(); ++x) {
                 const QColor colour = image.pixelColor(x, y);
@@ -92,10 +92,15 @@ TEST_P(DrawOrder, LinesAreSeenThroughBuildingsInEveryCityThatIsOpened) {
             }
         return false;
     };
+    const glm::dvec3 behind{0, -40, 0}, open{-55, -40, 0};  // the southern house, and beside it
+    const Region region{"line", {test::square({-60, -40}, 120)}};
     for (int city = 1; city <= 8; ++city) {
         show();
-        panel.showRegion({"line", {test::square({-60, -40}, 120)}});
-        EXPECT_TRUE(waitFor(isRed, 5000)) << "city " << city;
+        panel.showRegion(region);
+        EXPECT_TRUE(waitFor([&] { return isRedAt(captured(), open); }, 5000)) << "city " << city;
+        EXPECT_FALSE(isRedAt(captured(), behind)) << "city " << city;
+        panel.view().showLines(makeGroundLines(region, test::smallOpenCity()->city()));
+        EXPECT_TRUE(waitFor([&] { return isRedAt(captured(), behind); }, 5000)) << "city " << city;
     }
 }
 
