@@ -256,7 +256,7 @@ SunOfPlace sunOfPlace(const Json& json) {
     const Json cell = json.value("cell_m", Json());
     if (cell.is_number()) sun.cellM = cell;
     const std::string why = json.value("without_figures", std::string());
-    sun.why = findChoice(noSunChoices(), why).value_or(PlaceStatus::measured);
+    sun.status = findChoice(noSunChoices(), why).value_or(PlaceStatus::measured);
     for (const Json& remark : json.value("remarks", Json::array()))
         if (const auto known = findChoice(placeRemarkChoices(), remark.get<std::string>()))
             sun.remarks.push_back(*known);
