@@ -309,6 +309,40 @@ TEST(PlaceAtPoint, TheSmallestPlaceThatContainsThePointIsMeant) {
     EXPECT_EQ(findPlaceAt(places, {-1, 10}), nullptr);
 }
 
+// 60 minutes of a building, and of a tree 40 as an evergreen or 20 with its season, of 400 with the sun up.
+TEST(ContributionSheets, ListTreesWithTheBuildingsAndStateBothTimes) {
+    const auto taking = [](const char* id, double minutes, bool isTree) {
+        Contribution one;
+        one.id = id;
+        one.attributedMinM2 = one.attributedMin = minutes;
+        one.isTree = isTree;
+        return one;
+    };
+    ContributionTable of{.place = "Yard", .cells = 10, .sunlitMinutesPerDay = 400};
+    of.rows = {taking("house", 60, false)};
+    const City city;
+    const ContributionSheet bare = makeContributionSheet(of, city, {});
+    EXPECT_EQ(bare.headline.toStdString(),
+              "60 min a day in shadow, 15 % of the sunlit time. 1 building shades it; house takes the most, "
+              "100 %.");
+    of.trees = {{0,
+                 {{TreeColumns::evergreen, taking("lime", 90, true)},
+                  {TreeColumns::seasonal, taking("lime", 20, true)}}}};
+    const ContributionSheet seasonal = makeContributionSheet(of, city, {});
+    ASSERT_EQ(seasonal.rows.size(), 2U);
+    EXPECT_EQ(seasonal.rows[1].name.toStdString(), "Tree lime");
+    EXPECT_DOUBLE_EQ(seasonal.rows[1].share, 0.25);
+    EXPECT_TRUE(seasonal.areTreesListed);
+    EXPECT_THAT(seasonal.headline.toStdString(),
+                testing::AllOf(
+                    HasSubstr("80 min a day in shadow, 20 % of the sunlit time (trees with their seasons)"),
+                    HasSubstr("; 60 min a day in shadow, 15 % of the sunlit time (without trees)"),
+                    HasSubstr("house takes the most, 75 %"), HasSubstr("sun from it, 25 % of the shadow")));
+    const ContributionSheet evergreen =
+        makeContributionSheet(of, city, {.show = ShownAs::shadow, .trees = TreeColumns::evergreen});
+    EXPECT_EQ(evergreen.rows[0].name.toStdString(), "Tree lime") << "it takes more than the house";
+}
+
 TEST(ContributionClasses, EachShareHasTheColourOfItsClass) {
     EXPECT_EQ(classOf(0), 0U);
     EXPECT_EQ(classOf(0.01), 1U);

@@ -66,6 +66,11 @@ void ContributionLinks::connectView() {
     connect(&panel_.navigator(), &ViewNavigator::clicked, this, &ContributionLinks::click);
     connect(&tools_.building(), &BuildingEditing::selectionChanged, this, &ContributionLinks::markSelected);
     connect(&panel_.legend(), &LegendStrip::shownChosen, this, &ContributionLinks::refresh);
+    connect(&panel_.legend(), &LegendStrip::choiceChanged, this,
+            [this, before = TreeColumns::without]() mutable {
+                const TreeColumns now = panel_.legend().choice().trees;
+                if (std::exchange(before, now) != now) refresh();
+            });
 }
 
 void ContributionLinks::listPlaces() {
