@@ -7,6 +7,7 @@
 #include "app/report/maps/legend_painter.h"
 #include "app/report/maps/map_painter.h"
 #include "app/report/maps/map_view.h"
+#include "tests/report/book/recorded_page.h"
 #include "tests/report/synthetic_study.h"
 
 namespace noonmark {
@@ -33,6 +34,22 @@ TEST(Map, EachQuarterHasItsColourInItsPlace) {
     EXPECT_EQ(colourAt(image, study, 110.5, 10.5), shadowColour(0.5)) << "south-east";
     EXPECT_EQ(colourAt(image, study, 10.5, 70.5), shadowColour(60.0 / 360)) << "north-west";
     EXPECT_EQ(colourAt(image, study, 110.5, 70.5), shadowColour(1)) << "north-east";
+}
+
+// Where there is little room the names of the patches shrink as the title does, before the unit is cut.
+TEST(Map, ALegendWithPatchesKeepsItsUnit) {
+    const auto isWhole = [](int width) {
+        tests::RecordedPage page({width, 40});
+        QPainter painter(&page);
+        Legend legend{"Change of gross shadow", "min a day", {60, 15}, false, true};
+        legend.patches = {{Qt::gray, "built over"}, {Qt::yellow, "building gone"}};
+        paintLegend({painter, 1}, QRectF(0, 0, width, legendHeightPt), legend);
+        painter.end();
+        return page.allText().contains(QStringLiteral("min a day"));
+    };
+    int width = 500;
+    while (isWhole(width)) width -= 2;
+    EXPECT_LT(width, 226) << "with the names of patches at their full size it needs 250";
 }
 
 TEST(Map, NorthIsUpAndEastIsRight) {

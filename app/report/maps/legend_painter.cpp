@@ -27,15 +27,22 @@ QString fittingParts(QString unit, const QFontMetricsF& metrics, double room) {
     return metrics.elidedText(unit, Qt::ElideRight, room);
 }
 
+// Of title and unit. Measured, since small letters are not as much narrower as they are lower.
+double titleWidth(const Canvas& canvas, const Legend& legend, double scale) {
+    const QString firstPart = describeUnit(legend).section(QStringLiteral(", "), 0, 0);
+    return QFontMetricsF(textFont(canvas, legendTitlePt * scale, QFont::Bold))
+               .horizontalAdvance(legend.title + QStringLiteral("  ")) +
+           QFontMetricsF(textFont(canvas, legendTitlePt * scale)).horizontalAdvance(firstPart);
+}
+
 void paintTitle(const Canvas& canvas, const QRectF& area, const Legend& legend) {
     QPainter& painter = canvas.painter;
     // A patch stands to the right of the title: what is too wide with its unit shrinks, and is cut at the
     // end.
-    const QString unit = describeUnit(legend), firstPart = unit.section(QStringLiteral(", "), 0, 0);
-    const double wanted = QFontMetricsF(textFont(canvas, legendTitlePt, QFont::Bold))
-                              .horizontalAdvance(legend.title + QStringLiteral("  ")) +
-                          QFontMetricsF(textFont(canvas, legendTitlePt)).horizontalAdvance(firstPart);
-    const double shrunk = std::clamp(0.98 * area.width() / wanted, minTitleScale, 1.0);
+    const QString unit = describeUnit(legend);
+    double shrunk = 1;
+    while (shrunk > minTitleScale && titleWidth(canvas, legend, shrunk) > area.width())
+        shrunk = std::max(minTitleScale, shrunk - 0.05);
     const QFont bold = textFont(canvas, legendTitlePt * shrunk, QFont::Bold);
     const QString title = QFontMetricsF(bold).elidedText(legend.title, Qt::ElideRight, area.width());
     const double baseline = area.top() + legendTitlePt * canvas.point;
@@ -176,15 +183,6 @@ void paintColourClasses(const Canvas& canvas, const QRectF& bar, const Legend& l
     }
 }
 
-// The room that title and unit need at their smallest.
-double smallestTitle(const Canvas& canvas, const Legend& legend) {
-    const QString firstPart = describeUnit(legend).section(QStringLiteral(", "), 0, 0);
-    const double points = minTitleScale * legendTitlePt;
-    return QFontMetricsF(textFont(canvas, points, QFont::Bold))
-               .horizontalAdvance(legend.title + QStringLiteral("  ")) +
-           QFontMetricsF(textFont(canvas, points)).horizontalAdvance(firstPart);
-}
-
 // Paints the patches at the right end of the title line, smaller where the unit needs the room; returns their
 // width.
 double paintOwnColours(const Canvas& canvas, const QRectF& area, const Legend& legend) {
@@ -197,7 +195,7 @@ double paintOwnColours(const Canvas& canvas, const QRectF& area, const Legend& l
             width += metrics.horizontalAdvance(patch.label) + size * 1.6 + 12 * canvas.point;
         return width;
     };
-    const double room = area.width() - smallestTitle(canvas, legend);
+    const double room = area.width() - titleWidth(canvas, legend, minTitleScale);
     const double labelPt = widthAt(legendLabelPt) > room ? legendLabelPt * minTitleScale : legendLabelPt;
     const QFontMetricsF metrics(textFont(canvas, labelPt));
     double x = area.right();
