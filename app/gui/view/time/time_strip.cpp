@@ -23,7 +23,7 @@ namespace noonmark {
 namespace {
 
 constexpr int tickMs = 40;
-constexpr int minWidth = 256;   // with what cannot be left out
+constexpr int minStripWidth = 256;   // with what cannot be left out
 constexpr int fullWidth = 600;  // narrower strips hide loop, speed and the words about the sun
 constexpr std::array playSpeeds{0.5, 1.5, 4.0};  // hours of the day, or weeks of the year, in a second
 
@@ -142,7 +142,7 @@ void TimeStrip::place() {
     grid->setSizeConstraint(QLayout::SetNoConstraint);
 }
 
-QSize TimeStrip::minimumSizeHint() const { return {minWidth, QWidget::minimumSizeHint().height()}; }
+QSize TimeStrip::minimumSizeHint() const { return {minStripWidth, QWidget::minimumSizeHint().height()}; }
 
 void TimeStrip::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
