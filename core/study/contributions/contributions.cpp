@@ -489,22 +489,4 @@ std::string contributionsCsv(const std::vector<ContributionTable>& all, const Pr
     return csv.take();
 }
 
-std::string placeTreesCsv(const std::vector<ContributionTable>& all, const Provenance& provenance) {
-    std::vector<std::string> columns{"place", "kind", "period", "trees", "source_id", "species"};
-    std::ranges::move(listColumns(contributionFigures().rows()), std::back_inserter(columns));
-    CsvText csv(withSourceColumns(std::move(columns)));
-    const SourceValues source = sourceValues(provenance);
-    for (const ContributionTable& of : all)
-        for (const TreeContribution& tree : of.trees)
-            for (const auto& [column, one] : tree.columns) {
-                csv.text(of.place).text(of.kind).text(of.period).text(
-                    std::string(keyOf<TreeColumns>(treeColumnChoices, column)));
-                csv.text(one.id).text(one.name);
-                addFigures(csv, contributionFigures().of(one));
-                addSource(csv, source);
-                csv.endRow();
-            }
-    return csv.take();
-}
-
 }  // namespace noonmark

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 
+#include "core/base/csv_text.h"
 #include "core/base/memory_guard.h"
+#include "core/describe/figure_text.h"
 #include "core/engines/shade_trees.h"
 #include "core/measures/places/place_receivers.h"
 #include "core/receivers/rasterize.h"
 #include "core/study/by_place/sun_by_place.h"
+#include "core/study/provenance/provenance_texts.h"
 #include "core/study/study_cost.h"
 
 namespace noonmark {
@@ -186,6 +190,24 @@ Result<PlaceContributions> computePlaceContributions(const Study& study, const P
                                                      const EngineList& engines) {
     return guardMemory({.advice = "Choose a smaller place or larger cells"},
                        [&] { return attribute(study, place, progress, stop, engines); });
+}
+
+std::string placeTreesCsv(const std::vector<ContributionTable>& all, const Provenance& provenance) {
+    std::vector<std::string> columns{"place", "kind", "period", "trees", "source_id", "species"};
+    std::ranges::move(listColumns(contributionFigures().rows()), std::back_inserter(columns));
+    CsvText csv(withSourceColumns(std::move(columns)));
+    const SourceValues source = sourceValues(provenance);
+    for (const ContributionTable& of : all)
+        for (const TreeContribution& tree : of.trees)
+            for (const auto& [column, one] : tree.columns) {
+                csv.text(of.place).text(of.kind).text(of.period).text(
+                    std::string(keyOf<TreeColumns>(treeColumnChoices, column)));
+                csv.text(one.id).text(one.name);
+                addFigures(csv, contributionFigures().of(one));
+                addSource(csv, source);
+                csv.endRow();
+            }
+    return csv.take();
 }
 
 }  // namespace noonmark
