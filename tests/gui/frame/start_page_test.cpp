@@ -80,8 +80,7 @@ TEST_F(StartPageWindow, PanelsBelowAreHiddenMeanwhile) {
 }
 
 TEST_F(StartPageWindow, ItsQuestionsAreAskedFromTheBarOnceACityIsOpen) {
-    const auto* ask = window->findChild<QAction*>(QStringLiteral("askQuestion"));
-    ASSERT_NE(ask, nullptr);
+    QAction* ask = window->help().questions();
     EXPECT_TRUE(window->findChild<QToolBar*>(QStringLiteral("modeBar"))->actions().contains(ask));
     const QList<QAction*> questions = ask->menu()->actions();
     ASSERT_EQ(std::size_t(questions.size()), listStartCards().size());
