@@ -1,6 +1,6 @@
-#include <QAction>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QFile>
 #include <QGuiApplication>
 #include <QLabel>
@@ -52,7 +52,8 @@ struct ReviewWindow : test::ProjectWindow {
     ReviewDock& dock() { return *window->findChild<ReviewDock*>(); }
     ReviewForm& form() { return *window->findChild<ReviewForm*>(); }
     void showDock() {
-        window->findChild<QAction*>(QStringLiteral("reviewByRule"))->trigger();
+        for (QDockWidget* one : window->findChildren<QDockWidget*>())
+            if (one->isAncestorOf(&dock()) || one->isAncestorOf(&form())) one->show(), one->raise();
         ASSERT_TRUE(waitFor([this] { return dock().isVisible() && form().isVisible(); }));
     }
     void choose(const std::string& rule) {
