@@ -61,8 +61,8 @@ std::string describeChanges(const Warnings& warnings);
 std::vector<Sentence> listFacts(const CityRead& read);
 
 /// The same at a glance: "GeoJSON (WGS 84, as the file states), 0.4 km from Monaco, Monaco. Buildings: 12,
-/// parts: 15, up to 40 m high. On flat ground. Changed in reading: 46 repaired (40: its surface is not closed; it is
-/// used unchanged); 2 dropped (surfaces without area)."
+/// parts: 15, up to 40 m high. On flat ground. Changed in reading: 46 repaired (40: its surface is not
+/// closed; it is used unchanged); 2 dropped (surfaces without area)."
 std::string summariseReading(const CityRead& read);
 
 }  // namespace noonmark

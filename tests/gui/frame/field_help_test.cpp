@@ -101,9 +101,9 @@ TEST_F(FieldWindow, F1OpensTheGuideAtTheSectionOfTheFocusedDock) {
 }
 
 TEST(GuidePlaces, AllNameAPageAndAHeadingThatThereAre) {
-    const char* const parts[] = {"studyDock",        "resultsDock",  "scenariosDock", "projectDock",
-                                 "weightsDock",      "warningsDock", "reviewDock",    "pointDock",
-                                 "buildingDock",     "towerDock",    "modeBar",       "timeStrip",
+    const char* const parts[] = {"studyDock",         "resultsDock",   "scenariosDock", "projectDock",
+                                 "weightsDock",       "warningsDock",  "reviewDock",    "pointDock",
+                                 "buildingDock",      "towerDock",     "modeBar",       "timeStrip",
                                  "contributionsDock", "reviewFormDock"};
     QWidget part;
     for (const char* name : parts) {

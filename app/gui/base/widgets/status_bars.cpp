@@ -187,7 +187,10 @@ void ProgressStrip::begin(Running now, const Job& job, const QString& what) {
     std::erase_if(running_, [&](const Running& one) { return one.slot == &slot; });
     connect(&job, &Job::progressed, this, [this, &slot, what](double fraction, const QString& stage) {
         take(slot, fraction,
-             QStringLiteral("%1, %2 %: %3").arg(what).arg(int(fraction * 100)).arg(translated(stage.toStdString())));
+             QStringLiteral("%1, %2 %: %3")
+                 .arg(what)
+                 .arg(int(fraction * 100))
+                 .arg(translated(stage.toStdString())));
     });
     const bool isFirst = running_.empty();
     const bool waits = now.jobs == Jobs::often;

@@ -23,8 +23,8 @@ namespace noonmark {
 namespace {
 
 constexpr int tickMs = 40;
-constexpr int minStripWidth = 256;   // with what cannot be left out
-constexpr int fullWidth = 600;  // narrower strips hide loop, speed and the words about the sun
+constexpr int minStripWidth = 256;  // with what cannot be left out
+constexpr int fullWidth = 600;      // narrower strips hide loop, speed and the words about the sun
 constexpr std::array playSpeeds{0.5, 1.5, 4.0};  // hours of the day, or weeks of the year, in a second
 
 MarkedSlider* slider(const char* name, const QString& tip, int last, int page) {
