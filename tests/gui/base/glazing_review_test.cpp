@@ -99,7 +99,7 @@ TEST_F(GlazingReviewWindow, WritesTheFilesOfTheCommandLine) {
 
 TEST_F(GlazingReviewWindow, StatesTheNumberOfWindowsAndTheTimeBeforehand) {
     build();
-    auto* estimate = dock().findChild<QLabel*>(QStringLiteral("reviewEstimate"));
+    auto* estimate = question().findChild<QLabel*>(QStringLiteral("reviewEstimate"));
     ASSERT_TRUE(waitFor([&] { return !estimate->text().isEmpty(); }));
     const QString words = estimate->text();
     EXPECT_TRUE(words.contains(QStringLiteral("about"))) << words.toStdString();

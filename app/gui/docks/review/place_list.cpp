@@ -101,7 +101,11 @@ void PlaceList::show(const std::vector<Place>& places, const ReviewChoice& choic
     const std::set<std::string> ticked = listTicked(places, choice, reach);
     while (list_->count() > int(places.size())) delete list_->takeItem(list_->count() - 1);
     while (list_->count() < int(places.size())) new QListWidgetItem(list_);
-    const std::vector<const Place*> ordered = order(places);
+    std::vector<const Place*> ordered = order(places);
+    // Those in reach come first: they may be few of thousands.
+    if (reach)
+        std::ranges::stable_partition(ordered,
+                                      [&](const Place* place) { return ticked.contains(place->name); });
     for (std::size_t i = 0; i < ordered.size(); ++i) {
         const Place& place = *ordered[i];
         QListWidgetItem& item = *list_->item(int(i));
