@@ -91,7 +91,7 @@ bool isPressedIn(QStyle::PrimitiveElement element, const QStyleOption& option, c
 
 // Over the style's own, which in dark colours hardly differs from one that is not pressed.
 void paintPressedIn(const QStyleOption& option, QPainter& painter) {
-    constexpr float tint = 0.4F;
+    constexpr float tint = 0.5F;
     QColor fill = option.palette.color(QPalette::Highlight);
     const QPen edge(fill, 1.5);
     fill.setAlphaF(tint);

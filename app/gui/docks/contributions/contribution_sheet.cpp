@@ -81,9 +81,10 @@ QString describeTime(double minutesADay, double sunlitMin, ShownAs show) {
         .arg(describeNumber(minutesADay), percentOf(minutesADay / sunlitMin));
 }
 
-QString describeLargest(const std::vector<ContributionRow>& rows) {
+// Buildings that the city no longer has count, too.
+QString describeLargest(const std::vector<ContributionRow>& rows, const std::vector<Contribution>& of) {
     const auto buildings =
-        std::ranges::count_if(rows, [](const auto& row) { return row.building != nullptr; });
+        std::ranges::count_if(of, [](const Contribution& one) { return !one.isTree && one.id != terrainId; });
     return QObject::tr("%1 building(s) shade it; %2 takes the most, %3 %", "",
                        pluralNumber(quint64(buildings)))
         .arg(formatCount(quint64(buildings)), rows.front().name, percentOf(rows.front().share));
@@ -111,7 +112,7 @@ SumOfRows sumUp(const std::vector<Contribution>& rows) {
 QString describeTimes(const SumOfRows& sum, double sunlitMin, ShownAs show, TreeColumns trees) {
     const auto of = [&](double minutes, TreeColumns column) {
         return QObject::tr("%1 (%2)", "time in shadow, which trees are counted")
-            .arg(describeTime(minutes, sunlitMin, show), translatedSentence(describeTrees(column)));
+            .arg(describeTime(minutes, sunlitMin, show), translated(describeTrees(column)));
     };
     return QStringLiteral("%1; %2").arg(of(sum.allMin, trees), of(sum.withoutTreesMin, TreeColumns::without));
 }
@@ -128,9 +129,9 @@ QString describeSum(const ContributionSheet& sheet, const std::vector<Contributi
     const SumOfRows sum = sumUp(rows);
     if (sum.trees == 0)
         return QStringLiteral("%1. %2.").arg(describeTime(sum.allMin, sunlitMin, view.show),
-                                             describeLargest(sheet.rows));
+                                             describeLargest(sheet.rows, rows));
     const QString buildings = sum.trees == rows.size() ? QObject::tr("No building shades it in the period.")
-                                                       : describeLargest(sheet.rows) + QLatin1Char('.');
+                                                       : describeLargest(sheet.rows, rows) + QLatin1Char('.');
     return QStringLiteral("%1. %2 %3")
         .arg(describeTimes(sum, sunlitMin, view.show, view.trees), buildings, describeTreeSum(sum));
 }
