@@ -341,8 +341,7 @@ TEST_F(TreesOfAProject, APointSeesThem) {
 
 // Of a wall, so that it has a vertical sky component.
 TEST_F(TreesOfAProject, APointStatesTheSkyThatTreesLeave) {
-    const std::vector<std::string> wall{"point",    project, "--at",     "-73.9800,40.7504",
-                                        "--height", "2",     "--facing", "0"};
+    const std::vector<std::string> wall{"point", project, "--at", "-73.9800,40.7504,2", "--facing", "0"};
     auto asked = wall;
     asked.insert(asked.end(), {"--all-scenarios", "--json"});
     const CommandOutput point = noonmarkCli(asked);
