@@ -320,6 +320,7 @@ TEST(ContributionSheets, ListTreesWithTheBuildingsAndStateBothTimes) {
     };
     ContributionTable of{.place = "Yard", .cells = 10, .sunlitMinutesPerDay = 400};
     of.rows = {taking("house", 60, false)};
+    of.rows[0].share = 1;
     const City city;
     const ContributionSheet bare = makeContributionSheet(of, city, {});
     EXPECT_EQ(bare.headline.toStdString(),

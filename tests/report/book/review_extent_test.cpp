@@ -119,7 +119,7 @@ TEST(ReviewBook, DrawsTimelinesOfWhatFailsOrIsBorderlineUnlessAllAreAskedFor) {
 /// A park and a lawn in it, each with a verdict.
 ReviewedPark parkAndLawn(Verdict park, Verdict lawn) {
     ReviewedPark reviewed("Elm Park");
-    reviewed.places.push_back({"Elm Lawn", PlaceKind::plaza, {boxFootprint(-30, 40, 0, 50)}, "test"});
+    reviewed.places.push_back({"Elm Lawn", PlaceKind::plaza, {boxFootprint(-15, 0, 15, 15)}, "test"});
     NoProgress progress;
     reviewed.study = runReview(reviewed.study.rule, reviewed.before, reviewed.after, reviewed.places,
                                reviewed.study.settings, AutoEngine(), progress, {})
