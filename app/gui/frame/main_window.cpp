@@ -329,7 +329,9 @@ void MainWindow::connectDocks() {
     connect(docks_.project, &ProjectDock::placeSelected, &contributions_, [this](const std::string& place) {
         if (!place.empty() && docks_.contributions->isInFront()) contributions_.choose(place);
     });
-    connect(&display_, &ResultDisplay::chosen, this, [this] { showDock(docks_.results); });
+    // A review's figures are below already.
+    connect(&display_, &ResultDisplay::chosen, this,
+            [this] { mode_.mode() == ViewMode::review ? showAnswerPanel() : showDock(docks_.results); });
     connect(&workbench_, &Workbench::ran, this, &MainWindow::showAnswerPanel);
     connect(docks_.contributions, &ContributionsDock::exportRequested, &results_,
             &ResultActions::askForContributions);

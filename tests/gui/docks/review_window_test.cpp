@@ -222,6 +222,21 @@ TEST_F(ReviewWindow, OfManyPlacesThoseInReachAreReviewed) {
     EXPECT_EQ(review().question()->places.size(), 62U);
 }
 
+TEST_F(ReviewWindow, InANarrowWindowItsVerdictsBelowAreTheAnswer) {
+    window->resize(1366, 768);
+    addPlaces();
+    build();
+    choose("ceqr");
+    window->mode().setMode(ViewMode::review);
+    ASSERT_TRUE(waitFor([this] { return dock().isVisible() && form().isVisible(); }));
+    const int asked = form().width();
+    run();
+    ASSERT_TRUE(review().shown()) << message().toStdString();
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(window->findChild<QDockWidget*>(QStringLiteral("resultsDock"))->isHidden());
+    EXPECT_EQ(form().width(), asked);
+}
+
 TEST_F(ReviewWindow, VerdictsFollowTheBuildingThatIsShapedUntilItIsBuilt) {
     showDock();
     addPlaces();
