@@ -75,6 +75,8 @@ QWidget* ReviewForm::makeChoices() {
 QWidget* ReviewForm::makeFoot() {
     estimate_->setObjectName(QStringLiteral("reviewEstimate"));
     estimate_->setWordWrap(true);
+    // It must not widen the panel while a review runs.
+    progress_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(2, 2, 2, 2);
