@@ -19,7 +19,7 @@ std::string unescapeFormula(const std::string& text);
 /// A text as a field of a CSV file, quoted if a reader would split it (RFC 4180; a semicolon or a tab
 /// separates the fields where a decimal comma is usual).
 std::string quoteField(std::string_view text);
-/// As quoteField(), of the disarmed text.
+/// As quoteField(), of the escaped text.
 std::string csvField(const std::string& text);
 
 struct CsvRow {
@@ -34,7 +34,7 @@ struct CsvRow {
 std::vector<CsvRow> parseCsvRows(std::string_view text);
 
 /// A table as CSV (RFC 4180), field by field: every table that leaves the program is written by it. Fields
-/// are separated by commas, rows end with a carriage return and a line feed; texts are disarmed
+/// are separated by commas, rows end with a carriage return and a line feed; texts are escaped
 /// (escapeFormula()) and quoted where needed; numbers have a decimal point and no separators.
 class CsvText {
 public:

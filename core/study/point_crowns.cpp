@@ -8,7 +8,7 @@
 
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/ray/surface_rays.h"
-#include "core/engines/ray/taken_at_point.h"
+#include "core/engines/ray/tree_rays.h"
 #include "core/engines/shade_trees.h"
 #include "core/engines/trees/crowns.h"
 #include "core/engines/trees/crowns_around.h"

@@ -385,7 +385,7 @@ void MainWindow::connectDocks() {
     connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
 }
 
-// Its outline helps who asks or reads an answer, and disturbs others.
+// Its outline is of use while a study is asked or its answer read, and in the way otherwise.
 void MainWindow::followRegion() {
     QList<QDockWidget*> docks;
     for (QDockWidget* dock : findChildren<QDockWidget*>())

@@ -9,7 +9,7 @@
 #include "core/describe/text.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/ray/ray_reference.h"
-#include "core/engines/ray/taken_at_point.h"
+#include "core/engines/ray/tree_rays.h"
 #include "core/engines/trees/crowns_around.h"
 #include "core/simd/flush_denormals.h"
 

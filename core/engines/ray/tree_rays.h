@@ -60,4 +60,8 @@ struct TakenByTree {
 Result<TakenByTree> traceTakenByTree(const City& city, const Receivers& receivers, const SunSteps& sun,
                                      Progress& progress, const std::stop_token& stop);
 
+/// As traceTakenByTree(), of one place: minutes in place of min x m2, over the steps at which `shaded` is 0.
+TakenByTree takeFromPoint(const CrownScene& crowns, glm::vec3 origin, const SunSteps& sun,
+                          const std::vector<std::uint8_t>& shaded);
+
 }  // namespace noonmark

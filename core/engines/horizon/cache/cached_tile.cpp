@@ -1,11 +1,12 @@
 #include "core/engines/horizon/cache/cached_tile.h"
-#include "core/describe/text.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <algorithm>
 #include <atomic>
 #include <utility>
+
+#include "core/describe/text.h"
 
 namespace noonmark {
 
