@@ -39,8 +39,8 @@ public:
     /// Whether breakDown() sums by building although a sample showed that what it sums with is off.
     [[nodiscard]] bool attributionIsLessExact() const;
 
-    /// Switches to a more exact engine if a sample of the field is off by more than the choice aims at. False:
-    /// the field stands.
+    /// Switches to a more exact engine if a sample of the field is off by more than the choice aims at.
+    /// False: the field stands.
     bool switchToMoreExact(const SampledDeviation& off);
     [[nodiscard]] bool wouldSwitch(const SampledDeviation& off) const { return closer(off).has_value(); }
 
