@@ -336,7 +336,6 @@ void ExportDialog::makeRoom() {
 }
 
 void ExportDialog::showSheets(const std::shared_ptr<const Book>& book) {
-    if (book) makeRoom();
     form_->setEnabled(book != nullptr);
     pages_->show(book);
     if (book || !pages_->isVisibleTo(this)) return;
