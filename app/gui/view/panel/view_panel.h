@@ -13,6 +13,7 @@
 #include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/session/study/open_city.h"
 #include "app/gui/view/panel/ground_layers.h"
+#include "app/gui/view/panel/map_layer.h"
 #include "app/gui/view/panel/legend_strip.h"
 #include "app/gui/view/panel/polygon_drawing.h"
 #include "app/gui/view/panel/result_layer.h"
