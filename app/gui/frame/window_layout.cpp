@@ -158,7 +158,9 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     for (QDockWidget* beside : {rule, project, building, tower, trees, warnings})
         window.tabifyDockWidget(study, beside);
     study->raise();
-    window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);  // five names, on a narrow panel
+    // Five names and more, on narrow panels.
+    window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::West);
+    window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
     window.addDockWidget(Qt::RightDockWidgetArea, results);
     for (QDockWidget* beside : {places, contributions, scenarios, weights})
         window.tabifyDockWidget(results, beside);

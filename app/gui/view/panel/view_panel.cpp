@@ -280,8 +280,23 @@ void ViewPanel::markPlaces() {
                          hasOwnName(place),
                          makeGroundLines({place.name, place.polygons}, city_->city())});
     }
+    if (auto region = markRegion()) marks.push_back(*std::move(region));
     view_->places().show(std::move(marks));
     highlightPlace(highlighted_);
+}
+
+// Its name stands on its northernmost side, before those of places.
+std::optional<PlaceMarks::Mark> ViewPanel::markRegion() const {
+    if (!regionShown_ || region_.polygons.empty()) return std::nullopt;
+    const Ring& ring = region_.polygons.front().outer;
+    glm::dvec2 at{0, std::numeric_limits<double>::lowest()};
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        if (const glm::dvec2 middle = (glm::dvec2(ring[i]) + glm::dvec2(ring[(i + 1) % ring.size()])) * 0.5;
+            middle.y > at.y)
+            at = middle;
+    constexpr double firstM2 = 1e12;
+    return PlaceMarks::Mark{
+        tr("Region"), {at.x, at.y, double(groundAt(city_->city(), at))}, firstM2, true, {}};
 }
 
 // A name stays where only low things, or what is on the place itself, lie before it.
@@ -307,14 +322,17 @@ void ViewPanel::hoverPlace(const std::optional<Pick>& pick) {
 }
 
 void ViewPanel::showRegion(const Region& region) {
+    if (region == region_) return;
     region_ = region;
     showLines();
+    markPlaces();
 }
 
 void ViewPanel::setRegionShown(bool shown) {
     if (shown == regionShown_) return;
     regionShown_ = shown;
     showLines();
+    markPlaces();
 }
 
 void ViewPanel::showLines() {

@@ -111,6 +111,7 @@ private:
     void connectDrawing();
     void showCrossCursor(bool cross);
     void markPlaces();
+    [[nodiscard]] std::optional<PlaceMarks::Mark> markRegion() const;
     [[nodiscard]] bool isHidden(const glm::dvec3& at) const;
     void hoverPlace(const std::optional<Pick>& pick);
     void showLines();
