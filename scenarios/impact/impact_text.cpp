@@ -76,6 +76,7 @@ Json definitions() {
     Json json{
         {"change", "the field of `to` minus the field of `from`, same engine, steps and receivers"},
         {"error", "of the change on a sample of receivers that the ray reference traced in both cities"},
+        {"beyond_region", "what the figures leave out beyond the region; null: nothing is known to be"},
         {"by_building", "`to` minus `to` without this building: its sole contribution"}};
     json.update(definitionsJson(impactFigures().rows()));
     json.update(definitionsJson(changeFigures().rows()));
@@ -284,6 +285,8 @@ std::string impactJson(const ImpactAnswer& answer) {
     json["error"] = answer.study.error ? errorJson(*answer.study.error, answer.study.frame) : Json();
     json["errors"] = answer.study.error ? errorsJson(listErrors(*answer.study.error, true)) : Json();
     json["impact"] = figuresJson(answer.study, answer.settings.thresholdsMin);
+    const auto beyond = describeBeyond(answer);
+    json["beyond_region"] = beyond ? Json(formatText(*beyond)) : Json();
     json["by_building"] = Json::array();
     for (const BuildingImpact& building : answer.study.byBuilding)
         json["by_building"].push_back(

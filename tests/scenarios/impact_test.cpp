@@ -89,6 +89,8 @@ TEST(Impact, SaysWhatStandsOrReachesBeyondTheRegion) {
     const AnswerPage page = makePage(answerOf(170, 60), LegendChoice());
     ASSERT_FALSE(page.findings.empty());
     EXPECT_THAT(formatText(page.findings.back()), testing::HasSubstr("outside the region"));
+    EXPECT_THAT(impactJson(answerOf(170, 60)), testing::HasSubstr(R"("beyond_region": "What Mill builds)"));
+    EXPECT_THAT(impactJson(answerOf(20, 4)), testing::HasSubstr(R"("beyond_region": null)"));
 }
 
 TEST(Impact, ARegionAroundAProposalIsAsLargeAsBeforeOrAsThatNeeds) {
