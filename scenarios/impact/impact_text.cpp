@@ -208,7 +208,7 @@ namespace {
 
 Sentence describeChange(const std::string& scenario, const ChangeFigures& change, ShownAs show) {
     const auto minutes = [](double value) { return Amount{value, FigureUnit::minutes}; };
-    if (change.maxGainedMin == 0 && change.maxLostMin == 0)
+    if (change.maxMoreShadowMin == 0 && change.maxLessShadowMin == 0)
         return {show == ShownAs::shadow ? NM_TEXT("%1 changes no shadow here")
                                         : NM_TEXT("%1 changes no sun here"),
                 {scenario}};
@@ -216,15 +216,15 @@ Sentence describeChange(const std::string& scenario, const ChangeFigures& change
     constexpr double minMeanMin = 0.5;  // less reads "0 min": the region is large, the change small
     if (std::abs(change.meanMin) < minMeanMin && change.meanMin >= 0)
         return {NM_TEXT("%1 takes sun from %2, at most %3 a day at one spot"),
-                {scenario, area(change.anyMoreShadowM2), minutes(change.maxGainedMin)}};
+                {scenario, area(change.anyMoreShadowM2), minutes(change.maxMoreShadowMin)}};
     if (std::abs(change.meanMin) < minMeanMin)
         return {NM_TEXT("%1 gives sun to %2, at most %3 a day at one spot"),
-                {scenario, area(change.anyLessShadowM2), minutes(change.maxLostMin)}};
+                {scenario, area(change.anyLessShadowM2), minutes(change.maxLessShadowMin)}};
     if (change.meanMin >= 0)
         return {NM_TEXT("%1 takes %2 of sun a day on average, at most %3 at one spot"),
-                {scenario, minutes(change.meanMin), minutes(change.maxGainedMin)}};
+                {scenario, minutes(change.meanMin), minutes(change.maxMoreShadowMin)}};
     return {NM_TEXT("%1 gives %2 of sun a day on average, at most %3 at one spot"),
-            {scenario, minutes(-change.meanMin), minutes(change.maxLostMin)}};
+            {scenario, minutes(-change.meanMin), minutes(change.maxLessShadowMin)}};
 }
 
 Sentence describeAreas(const ImpactFigures& figures, ShownAs show) {
@@ -233,8 +233,8 @@ Sentence describeAreas(const ImpactFigures& figures, ShownAs show) {
                 ? NM_TEXT("More shadow on %1, less on %2; by more than %3 a day on %4 and %5.")
                 : NM_TEXT("Less sun on %1, more on %2; by more than %3 a day on %4 and %5."),
             {area(figures.gross.anyMoreShadowM2), area(figures.gross.anyLessShadowM2),
-             Amount{figures.thresholdMin, FigureUnit::minutes}, area(figures.gross.gainedM2),
-             area(figures.gross.lostM2)}};
+             Amount{figures.thresholdMin, FigureUnit::minutes}, area(figures.gross.moreShadowM2),
+             area(figures.gross.lessShadowM2)}};
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ void addBuildings(std::vector<TextBlocks>& sections, const ComparisonFigures& fi
     for (const auto& building : figures.byBuilding)
         blocks.push_back(body(QStringLiteral("%1: %2 with more than %3 min a day of additional gross shadow")
                                   .arg(QString::fromStdString(building.name),
-                                       describeArea(building.figures.gross.gainedM2),
+                                       describeArea(building.figures.gross.moreShadowM2),
                                        describeAmount(building.figures.thresholdMin, 2))));
     sections.push_back(std::move(blocks));
 }

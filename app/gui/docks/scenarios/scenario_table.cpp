@@ -370,7 +370,7 @@ QString ScenarioTable::impactVerdict() const {
         const double changeM2 = one.second.shadowAreaChangeM2;
         return withPlus(changeM2, describeSmallArea(changeM2));
     };
-    const auto ground = [](const Impact& one) { return describeSmallArea(one.second.gross.gainedM2); };
+    const auto ground = [](const Impact& one) { return describeSmallArea(one.second.gross.moreShadowM2); };
     const auto [minimum, maximum] = std::ranges::minmax_element(
         impacts, {}, [](const Impact& one) { return one.second.shadowAreaChangeM2; });
     const double minutes = minimum->second.thresholdMin;
