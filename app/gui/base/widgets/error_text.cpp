@@ -77,7 +77,7 @@ namespace {
     QT_TRANSLATE_NOOP("Error", "The city has an aerial photograph already"),
     QT_TRANSLATE_NOOP("Error", "Remove it first: File > Aerial photograph"),
     QT_TRANSLATE_NOOP("Error", "Some scenarios could not be computed"),
-    QT_TRANSLATE_NOOP("Error", "The dock Scenarios says why in the row of each")};
+    QT_TRANSLATE_NOOP("Error", "The panel Scenarios says why in the row of each")};
 
 // Of nameOf(WarningKind), which lies below the macro of core.
 [[maybe_unused]] constexpr const char* warningKinds[] = {
@@ -123,7 +123,7 @@ Error sumUp(const ScenarioErrors& errors, std::size_t asked) {
     const bool same =
         std::ranges::all_of(errors, [&](const auto& one) { return textOf(one) == textOf(errors.front()); });
     if (same && errors.size() == asked) return errors.front().second;
-    Error all{"Some scenarios could not be computed", {}, "The dock Scenarios says why in the row of each"};
+    Error all{"Some scenarios could not be computed", {}, "The panel Scenarios says why in the row of each"};
     if (same) all = errors.front().second;
     std::string names;
     for (const auto& [scenario, error] : errors) names += (names.empty() ? "" : ", ") + scenario;

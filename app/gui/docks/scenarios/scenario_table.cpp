@@ -325,7 +325,7 @@ QString ScenarioTable::tipOfLack(const Row& row, const ScenarioColumn& column) c
         return tr("Not computed with the current settings: press Measure all");
     if (column.work == ScenarioWork::measuringPlaces)
         return tr(
-            "Not measured since buildings last changed: choose Sun by place in the dock Study, and "
+            "Not measured since buildings last changed: choose Sun by place in the panel Study, and "
             "press Measure all");
     if (column.work == ScenarioWork::scoring)
         return tr("Not computed with these settings and the weights %1 since buildings last changed: "

@@ -167,7 +167,7 @@ CopyActions::CopyActions(ResultActions& results, ResultsDock& figures, ViewPanel
       panel_(panel),
       copy_(makeAction(this, tr("&Copy"), QKeySequence::Copy,
                        tr("The table or text last clicked, else the picture of the view"), "copy")),
-      figures_(makeAction(this, tr("Copy fi&gures"), {}, tr("The figures of the dock Results, as a table"))),
+      figures_(makeAction(this, tr("Copy fi&gures"), {}, tr("The figures of the panel Results, as a table"))),
       picture_(makeAction(this, tr("C&opy picture"), QKeySequence(tr("Ctrl+Shift+C")),
                           tr("The view with title, legend, scale and north"), "picture")) {
     connect(copy_, &QAction::triggered, this, &CopyActions::copy);
