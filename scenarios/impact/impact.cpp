@@ -116,7 +116,7 @@ private:
         if (!study) return engine_->chooseInstead(*choice_, study.error());
         if (!study->error) return std::nullopt;
         const City* const cities[]{&before, &after};
-        return engine_->chooseCloser(*choice_, study->error->grossOff(), cities, common_.receivers, sun_);
+        return engine_->chooseMoreExact(*choice_, study->error->grossOff(), cities, common_.receivers, sun_);
     }
 
     Result<ImpactStudy> compare(const City& before, const City& after) {
