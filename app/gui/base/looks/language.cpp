@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <clocale>
 
+#include "app/gui/base/widgets/error_text.h"
+
 namespace noonmark {
 
 namespace {
@@ -72,6 +74,7 @@ QLocale chooseLocale(const QString& code, const QLocale& system) {
 
 void applyLanguage(Language language, QCoreApplication& application) {
     qDeleteAll(application.findChildren<QTranslator*>(translatorName));
+    forgetTranslated();
     const QString code = findTranslation(language, QLocale::system().uiLanguages());
     // Qt took the decimal comma of the system for C functions too, which read and write files.
     std::setlocale(LC_NUMERIC, "C");

@@ -4,6 +4,8 @@
 #include <QObject>
 #include <QStringList>
 #include <algorithm>
+#include <mutex>
+#include <unordered_map>
 
 #include "core/base/safe_text.h"
 #include "generated/translation_contexts.h"
@@ -87,14 +89,46 @@ namespace {
 
 }  // namespace
 
-QString translated(std::string_view text) {
-    if (text.empty()) return {};
-    const std::string source(text);
+namespace {
+
+QString findTranslated(const std::string& source) {
     const QString english = QString::fromStdString(source);
     for (const char* context : translationContexts)
         if (QString found = QCoreApplication::translate(context, source.c_str()); found != english)
             return found;
     return english;
+}
+
+/// A text is looked for in all contexts, and one that is its own translation in vain: tables ask for the same
+/// names at each comparison of two rows.
+struct KnownTexts {
+    static constexpr std::size_t most = 100'000;
+    std::mutex mutex;
+    std::unordered_map<std::string, QString> texts;
+};
+
+KnownTexts& knownTexts() {
+    static KnownTexts known;
+    return known;
+}
+
+}  // namespace
+
+QString translated(std::string_view text) {
+    if (text.empty()) return {};
+    std::string source(text);
+    KnownTexts& known = knownTexts();
+    const std::scoped_lock lock(known.mutex);
+    if (const auto found = known.texts.find(source); found != known.texts.end()) return found->second;
+    if (known.texts.size() >= KnownTexts::most) known.texts.clear();
+    QString found = findTranslated(source);
+    return known.texts.emplace(std::move(source), std::move(found)).first->second;
+}
+
+void forgetTranslated() {
+    KnownTexts& known = knownTexts();
+    const std::scoped_lock lock(known.mutex);
+    known.texts.clear();
 }
 
 QString describeError(const Error& error) {

@@ -250,6 +250,7 @@ void ViewPanel::showCity(std::shared_ptr<const OpenCity> city) {
     view_->showTrees(city_->city().trees, city_->crowns);
     results_->forget();
     map_->showCity(city_->city());
+    showLines();  // on its ground
     markPlaces();
 }
 
@@ -269,17 +270,24 @@ void ViewPanel::highlightPlace(const std::string& name) {
 // A place gets its name at the middle of its largest polygon.
 void ViewPanel::markPlaces() {
     if (!city_) return;
-    std::vector<PlaceMarks::Mark> marks;
+    placeMarks_.clear();
     for (const Place& place : places_) {
         const auto largest = std::ranges::max_element(place.polygons, {},
                                                       [](const Footprint& polygon) { return area(polygon); });
         const glm::dvec2 at = findMarkPoint(*largest);
-        marks.push_back({placeName(place.name),
-                         {at.x, at.y, double(groundAt(city_->city(), at))},
-                         area(*largest),
-                         hasOwnName(place),
-                         makeGroundLines({place.name, place.polygons}, city_->city())});
+        placeMarks_.push_back({placeName(place.name),
+                               {at.x, at.y, double(groundAt(city_->city(), at))},
+                               area(*largest),
+                               hasOwnName(place),
+                               makeGroundLines({place.name, place.polygons}, city_->city())});
     }
+    showMarks();
+}
+
+// Of the region after those of places, whose indices stay.
+void ViewPanel::showMarks() {
+    if (!city_) return;
+    std::vector<PlaceMarks::Mark> marks = placeMarks_;
     if (auto region = markRegion()) marks.push_back(*std::move(region));
     view_->places().show(std::move(marks));
     highlightPlace(highlighted_);
@@ -325,14 +333,14 @@ void ViewPanel::showRegion(const Region& region) {
     if (region == region_) return;
     region_ = region;
     showLines();
-    markPlaces();
+    showMarks();
 }
 
 void ViewPanel::setRegionShown(bool shown) {
     if (shown == regionShown_) return;
     regionShown_ = shown;
     showLines();
-    markPlaces();
+    showMarks();
 }
 
 void ViewPanel::showLines() {

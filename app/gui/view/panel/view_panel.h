@@ -111,6 +111,7 @@ private:
     void connectDrawing();
     void showCrossCursor(bool cross);
     void markPlaces();
+    void showMarks();
     [[nodiscard]] std::optional<PlaceMarks::Mark> markRegion() const;
     [[nodiscard]] bool isHidden(const glm::dvec3& at) const;
     void hoverPlace(const std::optional<Pick>& pick);
@@ -146,6 +147,7 @@ private:
     Region region_;
     bool regionShown_ = true;
     std::vector<Place> places_;
+    std::vector<PlaceMarks::Mark> placeMarks_;  ///< by place
     std::vector<LegendPatch> buildingPatches_;
     std::string highlighted_;  ///< name of a place
 };
