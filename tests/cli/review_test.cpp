@@ -112,6 +112,8 @@ TEST_F(ReviewCommand, MayKeepToThePlacesInReach) {
     ASSERT_EQ(near.code, 0) << near.err;
     EXPECT_THAT(namesOf(near), testing::ElementsAre("Central Park"));
     EXPECT_THAT(near.json()["repeat"].get<std::string>(), HasSubstr("--in-reach"));
+    EXPECT_THAT(near.json()["warnings"].dump(),
+                AllOf(HasSubstr("does not reach it"), HasSubstr("Far Square")));
     asked[1] = "Far Square";
     EXPECT_THAT(review("ceqr", asked).err, HasSubstr("reaches no place"));
 }

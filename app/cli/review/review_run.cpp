@@ -64,6 +64,14 @@ Result<PlaceQuestion> makePlaceQuestion(const ReviewRunOptions& options, const R
     return PlaceQuestion{std::move(asked), std::move(ground->sheets)};
 }
 
+Result<void> keepPlacesInReach(ReviewQuestion& question, const Console& console,
+                               const std::stop_token& stop) {
+    ProgressLine progress(console);
+    return findPlacesInReach(question, progress, stop).and_then([&](const PlacesInReach& found) {
+        return keepPlacesInReach(question, found);
+    });
+}
+
 Result<double> estimateSeconds(const ReviewQuestion& asked, const std::stop_token& stop) {
     return estimateReviewSeconds(asked.rule, *asked.before, *asked.after, asked.places, asked.settings, stop);
 }
@@ -83,11 +91,9 @@ void announce(const ReviewQuestion& asked, const Console& console, const std::st
 Result<std::shared_ptr<const Answer>> measurePlaces(const ReviewRunOptions& options, ReviewQuestion question,
                                                     const ReviewSource& source, const Console& console) {
     const Interrupt interrupt;
-    if (options.inReach) {
-        ProgressLine finding(console);
-        if (const auto kept = keepPlacesInReach(question, finding, interrupt.token()); !kept)
+    if (options.inReach)
+        if (const auto kept = keepPlacesInReach(question, console, interrupt.token()); !kept)
             return tl::make_unexpected(kept.error());
-    }
     announce(question, console, interrupt.token());
     ProgressLine progress(console);
     const Asked asked{.review = std::make_shared<const ReviewQuestion>(std::move(question)),
@@ -97,9 +103,8 @@ Result<std::shared_ptr<const Answer>> measurePlaces(const ReviewRunOptions& opti
 
 int estimatePlaces(const ReviewRunOptions& options, ReviewQuestion asked, const Console& console) {
     const Interrupt interrupt;
-    NoProgress progress;
     if (options.inReach)
-        if (const auto kept = keepPlacesInReach(asked, progress, interrupt.token()); !kept)
+        if (const auto kept = keepPlacesInReach(asked, console, interrupt.token()); !kept)
             return fail(console, kept.error(), exitUsage);
     const auto seconds = estimateSeconds(asked, interrupt.token());
     if (!seconds) return fail(console, seconds.error(), exitUsage);
@@ -267,7 +272,7 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
         .add_option(
             flags::out, options.out,
             "Folder for review.json, review.csv, sheets.pdf, shadows.dxf and shadows.gpkg; of windows "
-            "review.json, windows.csv, windows.gpkg and sheets.pdf. Needed but with --estimate")
+            "review.json, windows.csv, windows.gpkg and sheets.pdf. Required, except with --estimate")
         ->type_name("DIR");
     addSheetOptions(command, options.sheets);
     addLegendOptions(command, options.sheets.layout.legend);

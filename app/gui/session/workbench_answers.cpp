@@ -615,6 +615,7 @@ void Workbench::showByItself(const KnownAnswer& known) {
 void Workbench::showPast(SharedAnswer answer) {
     forgetAnswers();
     past_ = std::move(answer);
+    pastOf_.reset();
     Q_EMIT answered();
 }
 

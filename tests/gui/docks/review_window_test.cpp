@@ -190,12 +190,12 @@ TEST_F(ReviewWindow, PlacesInReachAreThoseOfTheProposalThatIsReviewed) {
     review().screen();
     run();
     ASSERT_TRUE(review().shown()) << message().toStdString();
-    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 400}}, QStringLiteral("height")));
+    EXPECT_EQ(namesOf(review().shown()->question.places), std::vector<std::string>{"Park"});
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 2}}, QStringLiteral("height")));
     EXPECT_FALSE(review().reach()) << "another proposal";
     EXPECT_TRUE(review().whyOutdated().contains(QStringLiteral("buildings")));
     run();
-    ASSERT_TRUE(review().reach());
-    EXPECT_EQ(review().shown()->question.places, review().reach()->kept->places);
+    EXPECT_TRUE(message().contains(QStringLiteral("reaches no place"))) << message().toStdString();
 }
 
 // More places than anyone reads: those in reach are found first, without being asked, and the files say how.
@@ -217,6 +217,12 @@ TEST_F(ReviewWindow, OfManyPlacesThoseInReachAreReviewed) {
     EXPECT_EQ(namesOf(asked.places), std::vector<std::string>{"Park"});
     EXPECT_EQ(asked.named, std::vector<std::string>{"all"});
     EXPECT_TRUE(asked.inReach);
+    ASSERT_EQ(asked.warnings.size(), 61U);
+    EXPECT_EQ(asked.warnings[0].where, "Far park");
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 2}}, QStringLiteral("height")));
+    run();
+    EXPECT_EQ(review().shown()->question.places.size(), 62U) << "its shadow reaches none: all are stated";
+    workbench().document().undoStack().undo();
     form().findChild<QPushButton*>(QStringLiteral("allPlacesToReview"))->click();
     EXPECT_FALSE(review().whyOutdated().isEmpty());
     EXPECT_EQ(review().question()->places.size(), 62U);
