@@ -244,7 +244,7 @@
         <translation>Der Schatten des Vorschlags erreicht in den Stunden der Regel keinen Ort</translation>
     </message>
     <message>
-        <source>Run the rule on all places to have that stated for each</source>
+        <source>Review all places to have that stated for each</source>
         <translation>Prüfen Sie alle Orte, um das für jeden ausgewiesen zu bekommen</translation>
     </message>
     <message>

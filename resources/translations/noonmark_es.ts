@@ -244,7 +244,7 @@
         <translation>La sombra de la propuesta no alcanza ningún lugar en las horas de la norma</translation>
     </message>
     <message>
-        <source>Run the rule on all places to have that stated for each</source>
+        <source>Review all places to have that stated for each</source>
         <translation>Aplique la norma a todos los lugares para que se indique en cada uno</translation>
     </message>
     <message>

@@ -244,7 +244,7 @@
         <translation>提案の影は規則の時間帯にどの場所にも届きません</translation>
     </message>
     <message>
-        <source>Run the rule on all places to have that stated for each</source>
+        <source>Review all places to have that stated for each</source>
         <translation>すべての場所で評価すると、それぞれについて示されます</translation>
     </message>
     <message>

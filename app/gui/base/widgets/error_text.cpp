@@ -41,7 +41,7 @@ namespace {
     QT_TRANSLATE_NOOP("Error", "Read them from a map or draw one: Study > Read places, Study > Draw place"),
     QT_TRANSLATE_NOOP("Error", "No place is chosen"),
     QT_TRANSLATE_NOOP("Error", "The proposal's shadow reaches no place in the rule's hours"),
-    QT_TRANSLATE_NOOP("Error", "Run the rule on all places to have that stated for each"),
+    QT_TRANSLATE_NOOP("Error", "Review all places to have that stated for each"),
     QT_TRANSLATE_NOOP("Error",
                       "Tick the places to review, or press In reach to find those that the shadow reaches"),
     QT_TRANSLATE_NOOP("Error", "Design a tower, or choose a scenario with a proposal"),

@@ -190,7 +190,6 @@ Verdict worstOf(const ReviewAnswer& answer, const ColouredPlace& place) {
     return worst;
 }
 
-// The words of legends are English here, as in files.
 Legend makeVerdictLegend(const ReviewAnswer& answer) {
     Legend legend;
     legend.title = QStringLiteral(NM_TEXT("Verdicts on places"));
