@@ -239,7 +239,7 @@ SheetMap makeScoreMap(const Score& score, const City& city, const Region& region
     const std::shared_ptr<const Score> all(std::shared_ptr<void>(), &score);
     const std::shared_ptr<const Score> shown = inColumn(all, choice.trees);
     Legend legend = makeLegend(*shown, choice);
-    if (!score.withTrees.empty()) nameTrees(legend, shown == all ? TreeColumns::without : choice.trees);
+    if (!score.withTrees.empty()) nameTrees(legend, columnOf(score, choice.trees));
     return {{city, region, shown->grid,
              [shown, colours = coloursOf(legend)](int wantedPixels) {
                  const auto colour = [&](std::size_t cell) {
