@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -76,7 +77,10 @@ Json definitions() {
     Json json{
         {"change", "the field of `to` minus the field of `from`, same engine, steps and receivers"},
         {"error", "of the change on a sample of receivers that the ray reference traced in both cities"},
-        {"beyond_region", "what the figures leave out beyond the region; null: nothing is known to be"},
+        {"proposal_in_region", "how much of what `to` builds stands in the region: whole, part or none"},
+        {"changes_at_edge",
+         "whether shadow changes beside the region's edge by more than the first threshold, so that some of "
+         "the change probably lies beyond"},
         {"by_building", "`to` minus `to` without this building: its sole contribution"}};
     json.update(definitionsJson(impactFigures().rows()));
     json.update(definitionsJson(changeFigures().rows()));
@@ -285,8 +289,9 @@ std::string impactJson(const ImpactAnswer& answer) {
     json["error"] = answer.study.error ? errorJson(*answer.study.error, answer.study.frame) : Json();
     json["errors"] = answer.study.error ? errorsJson(listErrors(*answer.study.error, true)) : Json();
     json["impact"] = figuresJson(answer.study, answer.settings.thresholdsMin);
-    const auto beyond = describeBeyond(answer);
-    json["beyond_region"] = beyond ? Json(formatText(*beyond)) : Json();
+    const BeyondRegion beyond = findBeyond(answer);
+    json["proposal_in_region"] = std::array{"whole", "part", "none"}[std::size_t(beyond.proposal)];
+    json["changes_at_edge"] = beyond.changesAtEdge;
     json["by_building"] = Json::array();
     for (const BuildingImpact& building : answer.study.byBuilding)
         json["by_building"].push_back(

@@ -89,8 +89,8 @@ TEST(Impact, SaysWhatStandsOrReachesBeyondTheRegion) {
     const AnswerPage page = makePage(answerOf(170, 60), LegendChoice());
     ASSERT_FALSE(page.findings.empty());
     EXPECT_THAT(formatText(page.findings.back()), testing::HasSubstr("outside the region"));
-    EXPECT_THAT(impactJson(answerOf(170, 60)), testing::HasSubstr(R"("beyond_region": "What Mill builds)"));
-    EXPECT_THAT(impactJson(answerOf(20, 4)), testing::HasSubstr(R"("beyond_region": null)"));
+    EXPECT_THAT(impactJson(answerOf(170, 60)), testing::HasSubstr(R"("proposal_in_region": "none")"));
+    EXPECT_THAT(impactJson(answerOf(20, 4)), testing::HasSubstr(R"("changes_at_edge": false)"));
 }
 
 TEST(Impact, ARegionAroundAProposalIsAsLargeAsBeforeOrAsThatNeeds) {
