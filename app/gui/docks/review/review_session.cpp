@@ -135,6 +135,11 @@ bool ReviewSession::needsScreening(const ReviewQuestion& question) const {
     return isScreened(choice_, question) && !(reach_ && isSame(reach_->asked, question));
 }
 
+bool ReviewSession::mustFindReach() {
+    const auto now = question();
+    return now && needsScreening(*now) && canScreen(*now);
+}
+
 const ReviewSession::Reach* ReviewSession::reach() {
     const auto now = question();
     const bool isKept = now && now->inReach && reach_ && reach_->kept && isSame(*now, *reach_->kept);
@@ -174,7 +179,10 @@ Asked ReviewSession::makeAsked(ReviewQuestion question) const {
 void ReviewSession::ask(bool byUser) {
     const auto question = this->question();
     if (!question) return report(question.error());
-    if (needsScreening(*question)) return findReach(running_, *question, [this, byUser] { ask(byUser); });
+    if (needsScreening(*question)) {
+        estimating_.drop();  // which may be finding them, too
+        return findReach(running_, *question, [this, byUser] { ask(byUser); });
+    }
     running_.start<std::shared_ptr<const Answer>>(
         tr("Review"),
         [asked = makeAsked(*question)](Progress& progress, const std::stop_token& stop) {

@@ -97,6 +97,8 @@ public:
     };
     /// What is known of what would be reviewed now; null: all places are, or they are still to be found.
     [[nodiscard]] const Reach* reach();
+    /// Whether they are still to be found, and no place is known to be reviewed until then.
+    [[nodiscard]] bool mustFindReach();
     /// Whether places in reach are still to be found before question() is whole.
     [[nodiscard]] bool needsScreening(const ReviewQuestion& question) const;
 
