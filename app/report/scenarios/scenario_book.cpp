@@ -92,8 +92,7 @@ SheetMap makeScenarioMap(const ScenarioStudies& scenarios, const ScenarioStudy& 
                          const Legend& legend) {
     const Study& study = *scenario.study;
     SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, coloursOf(legend)), legend};
-    City removed = keepOwnBuildings(scenarios.front().study->city, study.city);
-    if (!removed.buildings.empty()) map.scene.removed = std::make_shared<const City>(std::move(removed));
+    map.scene.removed = findGone(keepOwnBuildings(scenarios.front().study->city, study.city), study.city);
     return map;
 }
 
