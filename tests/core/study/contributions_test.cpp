@@ -413,7 +413,7 @@ TEST(TreeContributions, AreALayerOfCrowns) {
 }
 
 TEST(PlaceContributions, TheLayerHasTheCrownsBesideTheBuildings) {
-    const Study study = studied(grove({{10, 60}}), atNoon("horizon"));
+    const Study study = studied(grove({{26, 57}}), atNoon("horizon"));
     ContributionTable of = makeContributionTable(attributed(study, square("Yard", 0, 52, 20, 92)));
     ASSERT_EQ(of.trees.size(), 1U);
     ASSERT_FALSE(of.rows.empty());
