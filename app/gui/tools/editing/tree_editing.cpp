@@ -11,6 +11,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -81,7 +82,18 @@ QStringList textsOf(const LivePlaceShade& shade, bool isSun, double sunlitMin) {
     if (!shade.whole) name += QObject::tr(" (of the part that is measured)");
     const double change = (isSun ? -1 : 1) * (shade.nowMin - shade.beforeMin);
     return {name, groupDigits(isSun ? sunlitMin - shade.nowMin : shade.nowMin, 1),
-            withPlus(change, groupDigits(change, 2))};
+            withPlus(change, std::abs(change) < 1 ? formatShort(change, 2) : groupDigits(change, 1))};
+}
+
+// The region, and the places whose change is more than rounding.
+std::vector<LivePlaceShade> listChanged(const std::vector<LivePlaceShade>& figures) {
+    constexpr double leastMin = 0.005;
+    std::vector<LivePlaceShade> changed;
+    for (const LivePlaceShade& one : figures)
+        if (changed.size() < maxFigures &&
+            (one.name.empty() || std::abs(one.nowMin - one.beforeMin) >= leastMin))
+            changed.push_back(one);
+    return changed;
 }
 
 /// "04-15". What is no day is cleared when the field is left.
@@ -181,11 +193,12 @@ void TreePanel::showPlanting(Planting planting) {
     row_->setChecked(planting == Planting::row);
 }
 
-void TreePanel::showFigures(const std::vector<LivePlaceShade>& figures, ShownAs show, double sunlitMin) {
+void TreePanel::showFigures(const std::vector<LivePlaceShade>& all, ShownAs show, double sunlitMin) {
     const bool isSun = show != ShownAs::shadow;
+    const std::vector<LivePlaceShade> figures = listChanged(all);
     figures_->setHorizontalHeaderLabels(
         {tr("Place"), isSun ? tr("Sun, min a day") : tr("Shadow, min a day"), tr("Change")});
-    figures_->setRowCount(int(std::min(maxFigures, figures.size())));
+    figures_->setRowCount(int(figures.size()));
     for (int i = 0; i < figures_->rowCount(); ++i) {
         const QStringList texts = textsOf(figures[std::size_t(i)], isSun, sunlitMin);
         for (int column = 0; column < texts.size(); ++column) {

@@ -30,7 +30,7 @@ public:
     void showPlanting(Planting planting);
     /// The shadow, or the sun, of the region and of places while trees are dragged or planted; none: hidden.
     /// `sunlitMin`: a day without shadow.
-    void showFigures(const std::vector<LivePlaceShade>& figures, ShownAs show, double sunlitMin);
+    void showFigures(const std::vector<LivePlaceShade>& all, ShownAs show, double sunlitMin);
     [[nodiscard]] TreeFacts facts() const;
     [[nodiscard]] double spacingM() const;  ///< of a row
     [[nodiscard]] double years() const;     ///< of growth
