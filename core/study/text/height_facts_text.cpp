@@ -170,7 +170,7 @@ std::vector<GeometryHeadline> listGeometryHeadlines(const City& city, const Heig
     add("heights", makeAssumedHeadline(countHeights(city)));
     add("unit of heights", makeDoubtHeadline(facts));
     add("bases", makeStandHeadline(facts));
-    if (const auto trees = describeEstimatedTrees(city.trees)) add("trees", formatText(*trees));
+    if (const auto trees = describeEstimatedTrees(city.trees)) add("heights of trees", formatText(*trees));
     return headlines;
 }
 

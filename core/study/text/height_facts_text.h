@@ -42,7 +42,7 @@ std::optional<Sentence> describeEstimatedTrees(const std::shared_ptr<const Trees
 
 /// What stands above the figures of a city's study: what its geometry owes to assumptions.
 struct GeometryHeadline {
-    std::string of;  ///< "heights", "unit of heights", "bases", "trees"
+    std::string of;  ///< "heights", "unit of heights", "bases", "heights of trees"
     std::string text;
 };
 std::vector<GeometryHeadline> listGeometryHeadlines(const City& city, const HeightFacts& facts);

@@ -145,7 +145,7 @@ TEST(AssumedHeights, AndCrownsOfTreesAreAHeadline) {
     const auto said = headlines();
     ASSERT_EQ(said.size(), 2U);
     EXPECT_EQ(said[0].text, "11 of 100 heights are assumed (9.6 m)");
-    EXPECT_EQ(said[1].of, "trees");
+    EXPECT_EQ(said[1].of, "heights of trees");
     EXPECT_EQ(said[1].text, "Estimated or assumed of 10 trees: height of 1, crown of 2");
     EXPECT_EQ(formatText(describeHeights(city, {}).back()), said[1].text);
 }

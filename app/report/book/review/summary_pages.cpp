@@ -58,7 +58,7 @@ TextBlocks introduction(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
     TextBlocks blocks;
     for (const GeometryHeadline& headline : listGeometryHeadlines(scene.source.scenario, {}))
-        if (headline.of != "trees" || study.rule.occluders.trees != RuleTrees::without)
+        if (headline.of != "heights of trees" || study.rule.occluders.trees != RuleTrees::without)
             blocks.push_back(heading(QString::fromStdString(headline.text)));
     blocks.push_back(body(plainText(study.rule.summary)));
     blocks.push_back(body(QStringLiteral("Proposal: %1. Baseline: %2.")
