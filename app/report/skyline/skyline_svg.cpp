@@ -168,9 +168,10 @@ private:
             factors += fmt::format("; in the scenario {:.3f}", study_.scenario->factors.skyView);
         addText(600, y + 84, factors);
         if (const auto& crowns = shownView().crowns) {
-            addText(600, y + 104, "Sun with trees: " + treesText(*crowns));
+            constexpr const char* small = "font-size=\"10\"";  // the longest texts
+            addText(600, y + 104, "Sun with trees: " + treesText(*crowns), small);
             addText(600, y + 124,
-                    "Sky with trees: " + treesSkyText(*crowns, study_.question.facingDeg.has_value()));
+                    "Sky with trees: " + treesSkyText(*crowns, study_.question.facingDeg.has_value()), small);
         }
     }
 
