@@ -267,6 +267,18 @@ Result<Region> cityRegion(const City& city) {
     return region;
 }
 
+namespace {
+
+// What lies on no terrain cannot be measured. Buildings beyond it keep the box.
+Box2 keepOnTerrain(const Box2& box, const City& city) {
+    if (!city.terrain) return box;
+    const Box2 terrain = bounds(city.terrain->grid);
+    const Box2 kept{glm::max(box.low, terrain.low), glm::min(box.high, terrain.high)};
+    return kept.empty() ? box : kept;
+}
+
+}  // namespace
+
 Region firstRegion(const LoadedCity& loaded, float maxM) {
     if (loaded.files.size() == 1 && loaded.files.front() == parkSample)
         return centralParkRegion(loaded.read.city);
@@ -274,7 +286,7 @@ Region firstRegion(const LoadedCity& loaded, float maxM) {
     if (box.empty()) box = {{-maxM / 2, -maxM / 2}, {maxM / 2, maxM / 2}};
     // The border leaves some open ground even around a single building.
     constexpr float borderM = 50;
-    const Box2 within{box.low - borderM, box.high + borderM};
+    const Box2 within = keepOnTerrain({box.low - borderM, box.high + borderM}, loaded.read.city);
     Region region = makeRegionFromLocalBox(findDensestBox(loaded.read.city, within, glm::vec2(maxM)));
     region.name = "the middle of the city";
     return region;

@@ -31,7 +31,27 @@ PointCaseFigures figuresOf(const std::string& name, const PointStudy& study) {
     return figures;
 }
 
+// Where no tree is seen, columns with trees are that without.
+PointCaseShade shadeOf(const PointCaseFigures& figures, TreeColumns column) {
+    for (const PointCaseShade& with : figures.withTrees)
+        if (with.column == column) return with;
+    return {column, figures.dayMin, figures.yearMin, figures.skyView, figures.skyComponentPct};
+}
+
 }  // namespace
+
+std::vector<PointCaseLine> listCaseLines(const PointCaseFigures& figures, const PointCaseFigures& first) {
+    std::vector<TreeColumns> columns{TreeColumns::without};
+    for (const PointCaseFigures* one : {&first, &figures})
+        for (const PointCaseShade& with : one->withTrees)
+            if (std::ranges::find(columns, with.column) == columns.end()) columns.push_back(with.column);
+    std::vector<PointCaseLine> lines;
+    for (const TreeColumns column : columns) {
+        const PointCaseShade shade = shadeOf(figures, column);
+        lines.push_back({shade, shade.yearMin - shadeOf(first, column).yearMin});
+    }
+    return lines;
+}
 
 Result<std::vector<PointCaseFigures>> measurePointCases(const std::vector<PointScenario>& cases,
                                                         const PointQuestion& question,

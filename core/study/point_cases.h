@@ -32,6 +32,15 @@ struct PointCaseFigures {
     std::vector<PointCaseShade> withTrees{};  ///< evergreens first; empty: no tree is seen
 };
 
+/// A line of a table of cases, in one column of trees.
+struct PointCaseLine {
+    PointCaseShade shade;  ///< or TreeColumns::without
+    double changeMin = 0;  ///< sunlit minutes of the year against the first case in the same column
+};
+/// That without trees first, then those with trees where the point sees any in this case or in the first.
+/// Neither case says why it cannot be measured.
+std::vector<PointCaseLine> listCaseLines(const PointCaseFigures& figures, const PointCaseFigures& first);
+
 /// Measures the point in each city, in their order. It must be in the same place as in the first one, else
 /// `why` says so. Error: what runPointStudy() refuses in the first city, cancelled(). In Midtown 0.14 s a
 /// city.

@@ -107,9 +107,8 @@ std::string shadersText(const Study& study) {
 void print(const Study& study, const PrintedTrees& trees, const std::vector<std::filesystem::path>& files,
            std::ostream& out) {
     Table table;
-    if (const auto headline = makeAssumedHeadline(countHeights(study.city))) table.add("heights", *headline);
-    if (const auto headline = makeDoubtHeadline(study.heights)) table.add("unit of heights", *headline);
-    if (const auto headline = makeStandHeadline(study.heights)) table.add("bases", *headline);
+    for (const GeometryHeadline& headline : listGeometryHeadlines(study.city, study.heights))
+        table.add(headline.of, headline.text);
     table.add("period", formatText(study.settings.period));
     table.add("engine", study.field.engine);
     table.add("steps",

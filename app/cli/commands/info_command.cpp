@@ -67,9 +67,8 @@ void printNextSteps(const std::vector<NextStep>& steps, std::ostream& out) {
 
 // Warns of assumed heights and names the fields that may hold heights.
 void printHeights(std::ostream& out, const CityRead& read) {
-    if (const auto headline = makeAssumedHeadline(countHeights(read.city))) out << "\n" << *headline << '\n';
-    if (const auto headline = makeDoubtHeadline(read.heights)) out << "\n" << *headline << '\n';
-    if (const auto headline = makeStandHeadline(read.heights)) out << "\n" << *headline << '\n';
+    for (const GeometryHeadline& headline : listGeometryHeadlines(read.city, read.heights))
+        out << "\n" << headline.text << '\n';
     if (read.heights.unknown.empty()) return;
     out << "fields that may hold heights or storeys; select one with:\n";
     for (const UnknownField& field : read.heights.unknown)

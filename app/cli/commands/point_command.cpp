@@ -128,24 +128,17 @@ void print(const PointStudy& study, const City& city, const City* scenario, cons
     out << describe(study, city) << '\n';
 }
 
-std::string caseText(const PointCaseFigures& figures, const PointCaseFigures& first, bool wall) {
-    if (!figures.why.empty()) return figures.why;
-    std::string text = fmt::format("{:.0f} min on the day, {:.1f} h in the year, sky view {:.3f}",
-                                   figures.dayMin, figures.yearMin / 60, figures.skyView);
-    if (wall) text += fmt::format(", VSC {:.1f} %", figures.skyComponentPct);
-    if (&figures != &first)
-        text += fmt::format("; {} h against {}", formatSigned((figures.yearMin - first.yearMin) / 60, 1),
-                            first.name);
-    return text;
-}
-
 void addCase(Table& table, const PointCaseFigures& figures, const PointCaseFigures& first, bool wall) {
-    table.add(figures.name, caseText(figures, first, wall));
-    for (const PointCaseShade& with : figures.withTrees) {
+    if (!figures.why.empty()) return table.add(figures.name, figures.why);
+    for (const auto& [shade, changeMin] : listCaseLines(figures, first)) {
         std::string text = fmt::format("{:.0f} min on the day, {:.1f} h in the year, sky view {:.3f}",
-                                       with.dayMin, with.yearMin / 60, with.skyView);
-        if (wall) text += fmt::format(", VSC {:.1f} %", with.skyComponentPct);
-        table.add(fmt::format("  {}", describeTrees(with.column)), text);
+                                       shade.dayMin, shade.yearMin / 60, shade.skyView);
+        if (wall) text += fmt::format(", VSC {:.1f} %", shade.skyComponentPct);
+        if (&figures != &first)
+            text += fmt::format("; {} h against {}", formatSigned(changeMin / 60, 1), first.name);
+        table.add(shade.column == TreeColumns::without ? figures.name
+                                                       : fmt::format("  {}", describeTrees(shade.column)),
+                  text);
     }
 }
 

@@ -334,6 +334,7 @@ void MainWindow::connectDocks() {
     connect(&workbench_, &Workbench::ran, this, &MainWindow::showAnswerPanel);
     connect(docks_.contributions, &ContributionsDock::exportRequested, &results_,
             &ResultActions::askForContributions);
+    connect(docks_.results, &ResultsDock::subjectRequested, &contributions_, &ContributionLinks::show);
     docks_.results->setActions(results_.saveResult(), scenarios_.compareAction(), results_.exportAction());
     connect(&panel_->legend(), &LegendStrip::shownChosen, this, [this] { view_.rememberShown(); });
     connect(docks_.results, &ResultsDock::commandRequested, this, [this] {
@@ -380,6 +381,7 @@ void MainWindow::connectDocks() {
     connectElementForms();
     connect(&points_, &PointInspector::asked, this, [this] { showDock(docks_.point); });
     connect(docks_.point, &PointDock::saveRequested, this, &MainWindow::savePoint);
+    connect(docks_.point, &PointDock::treeRequested, &contributions_, &ContributionLinks::show);
     connect(&tools_, &EditTools::treesChosen, this, [this] { showDock(tools_.treeDock()); });
     connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
 }

@@ -161,16 +161,28 @@ void addPlaceContributions(OutputFolder& files, const std::vector<ContributionTa
     if (ofPlaces.empty()) return;
     files.add(contributionTableFile, textContent(contributionsCsv(ofPlaces, provenance)));
     if (areTreesAmong(ofPlaces)) files.add(placeTreesFile, textContent(placeTreesCsv(ofPlaces, provenance)));
-    files.add(contributionLayerFile, [layer = makeContributionLayer(ofPlaces, city),
-                                      frame = city.frame](const Path& file) {
-        return writePolygonsGeoPackage(file, frame, {"contributions", "What buildings take from places"},
-                                       layer.outlines, layer.table, layer.style);
-    });
+    files.add(contributionLayerFile,
+              [layer = makeContributionLayer(ofPlaces, city), frame = city.frame](const Path& file) {
+                  return writePolygonsGeoPackage(
+                      file, frame, {"contributions", "What buildings and trees take from places"},
+                      layer.outlines, layer.table, layer.style);
+              });
+}
+
+void addTreeContributions(OutputFolder& files, const std::vector<TreeContribution>& trees,
+                          const Study& study) {
+    if (trees.empty()) return;
+    files.add(treeContributionsFile, textContent(treeContributionsCsv(trees, study.city, study.provenance)));
+    files.add(treeLayerFile,
+              [layer = makeTreeLayer(trees, study.city), frame = study.city.frame](const Path& file) {
+                  return writePolygonsGeoPackage(file, frame, {"trees", "What trees take"}, layer.outlines,
+                                                 layer.table, layer.style);
+              });
 }
 
 std::vector<std::string> contributionFileNames(const PlaceContributions& of) {
     std::vector<std::string> names{"contributions.csv", "contributions.gpkg", "by_month.csv"};
-    if (!of.trees.empty()) names.emplace_back(treeContributionsFile);
+    if (!of.trees.empty()) names.insert(names.end(), {treeContributionsFile, treeLayerFile});
     return names;
 }
 
@@ -190,9 +202,7 @@ Result<std::vector<std::filesystem::path>> writeContributionFiles(const Study& s
             .map([](const Warnings&) {});
     });
     files.add("by_month.csv", textContent(monthsCsv(monthsOf(of.breakdown), study.provenance)));
-    if (!of.trees.empty())
-        files.add(treeContributionsFile,
-                  textContent(treeContributionsCsv(of.trees, study.city, study.provenance)));
+    addTreeContributions(files, of.trees, study);
     return std::move(files).result();
 }
 

@@ -95,5 +95,8 @@ std::vector<std::string> placeContributionNames(const std::vector<ContributionTa
 /// Adds them; nothing where there are none. `city`: with the buildings.
 void addPlaceContributions(OutputFolder& files, const std::vector<ContributionTable>& ofPlaces,
                            const City& city, const Provenance& provenance);
+/// tree_contributions.csv and .gpkg; nothing where there are none. `trees`: of the study's city.
+void addTreeContributions(OutputFolder& files, const std::vector<TreeContribution>& trees,
+                          const Study& study);
 
 }  // namespace noonmark

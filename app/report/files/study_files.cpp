@@ -119,7 +119,7 @@ std::vector<std::string> studyFileNames(const StudySettings& settings, const Stu
     if (settings.contributions)
         names.insert(names.end(), {"contributions.csv", "contributions.gpkg", "contributions.pdf"});
     if (settings.contributions && settings.trees != TreeColumns::without)
-        names.emplace_back(treeContributionsFile);
+        names.insert(names.end(), {treeContributionsFile, treeLayerFile});
     if (options.cellsCsv) names.emplace_back("cells.csv");
     std::ranges::move(placeContributionNames(options.ofPlaces), std::back_inserter(names));
     return names;
@@ -169,7 +169,7 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
         if (!pdf) return tl::make_unexpected(pdf.error());
         files.add("contributions.pdf", textContent(pdf->toStdString()));
     }
-    if (study.byTree) files.add(treeContributionsFile, textContent(treeContributionsCsv(study)));
+    addTreeContributions(files, listTreeContributions(study), study);
     addPlaceContributions(files, options.ofPlaces, study.city, study.provenance);
     if (options.cellsCsv)
         files.add("cells.csv",

@@ -161,12 +161,8 @@ QString describeModelError(const Study& study) {
 
 TextBlocks definitionBlocks(const Study& study, ShownAs show) {
     TextBlocks blocks;
-    if (const auto headline = makeAssumedHeadline(countHeights(study.city)))
-        blocks.push_back(heading(QString::fromStdString(*headline)));
-    if (const auto headline = makeDoubtHeadline(study.heights))
-        blocks.push_back(heading(QString::fromStdString(*headline)));
-    if (const auto headline = makeStandHeadline(study.heights))
-        blocks.push_back(heading(QString::fromStdString(*headline)));
+    for (const GeometryHeadline& headline : listGeometryHeadlines(study.city, study.heights))
+        blocks.push_back(heading(QString::fromStdString(headline.text)));
     const QString shares = QStringLiteral(" Shares: of the receivers' area and of the sunlit time.");
     blocks.push_back(body(defineFigures(listLines(shadowFigures().of(study.statistics),
                                                   {.isInstant = isInstant(study.field), .show = show})) +

@@ -245,11 +245,16 @@ void addCell(std::string& svg, glm::dvec2 corner, double before, double after) {
 
 }  // namespace
 
-void drawSunCarpet(const PointStudy& study, glm::dvec2 corner, std::string& svg) {
+const MonthHours& minutesOf(const PointView& view, TreeColumns trees) {
+    if (!view.crowns || trees == TreeColumns::without) return view.minutes;
+    return trees == TreeColumns::evergreen ? view.crowns->evergreen : view.crowns->seasonal;
+}
+
+void drawSunCarpet(const PointStudy& study, TreeColumns trees, glm::dvec2 corner, std::string& svg) {
     constexpr std::array names{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-    const MonthHours& before = study.baseline.minutes;
-    const MonthHours& after = study.scenario ? study.scenario->minutes : before;
+    const MonthHours& before = minutesOf(study.baseline, trees);
+    const MonthHours& after = study.scenario ? minutesOf(*study.scenario, trees) : before;
     const std::array<int, months> days = countDays(study.sun);
     for (std::size_t hour = 0; hour < hours; ++hour)
         addFigure(svg, corner + glm::dvec2((double(hour) + 0.5) * cellWidthPx, -5), "#1f2933",

@@ -9,13 +9,15 @@
 #include <iterator>
 
 #include "core/base/safe_text.h"
+#include "core/measures/shadow_figures.h"
 #include "core/study/text/point_text.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr int widthPx = skylineSvgWidthPx, heightPx = 1310;
+constexpr int widthPx = skylineSvgWidthPx, upperPx = 1010;  // without carpets
+constexpr int carpetPx = 300;
 constexpr std::array colours{"#4e79a7", "#f28e2b", "#59a14f", "#b07aa1", "#76b7b2",
                              "#9c755f", "#edc948", "#d37295", "#86bcb6", "#8cd17d"};
 constexpr const char* otherBuildings = "#a3a9b0";
@@ -59,7 +61,7 @@ public:
         drawFrame({SkyFrame::Kind::cylindrical, {60, 420}, 1100, 340});
         drawFrame({SkyFrame::Kind::stereographic, {290, 740}, 1, 220});
         addLegend();
-        addCarpet();
+        addCarpets();
         svg_ += "</svg>\n";
         return std::move(svg_);
     }
@@ -75,7 +77,7 @@ private:
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
             "font-family=\"sans-serif\" font-size=\"12\">\n"
             "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-            widthPx, heightPx);
+            widthPx, upperPx + carpetPx * int(carpets().size()));
         const PointQuestion& question = study_.question;
         const std::string facing =
             question.facingDeg ? fmt::format(", facing {:.0f} degrees", *question.facingDeg) : "";
@@ -166,20 +168,33 @@ private:
             factors += fmt::format("; in the scenario {:.3f}", study_.scenario->factors.skyView);
         addText(600, y + 84, factors);
         if (const auto& crowns = shownView().crowns) {
-            addText(600, y + 104, "Sun with trees: " + treesText(*crowns));
+            constexpr const char* small = "font-size=\"10\"";  // the longest texts
+            addText(600, y + 104, "Sun with trees: " + treesText(*crowns), small);
             addText(600, y + 124,
-                    "Sky with trees: " + treesSkyText(*crowns, study_.question.facingDeg.has_value()));
+                    "Sky with trees: " + treesSkyText(*crowns, study_.question.facingDeg.has_value()), small);
         }
     }
 
-    void addCarpet() {
-        addText(60, 1010,
-                study_.scenario
-                    ? "Minutes of sun on a mean day with the scenario, by month and hour of the clock; "
-                      "in red and green what it takes and gives"
-                    : "Minutes of sun on a mean day, by month and hour of the clock",
-                "font-size=\"14\"");
-        drawSunCarpet(study_, {90, 1040}, svg_);
+    // Those with trees where any is seen in one of the cities.
+    [[nodiscard]] std::vector<TreeColumns> carpets() const {
+        if (!study_.baseline.crowns && !(study_.scenario && study_.scenario->crowns))
+            return {TreeColumns::without};
+        return {TreeColumns::without, TreeColumns::evergreen, TreeColumns::seasonal};
+    }
+
+    void addCarpets() {
+        const std::vector<TreeColumns> columns = carpets();
+        int y = upperPx;
+        for (const TreeColumns trees : columns) {
+            std::string title = study_.scenario
+                                    ? "Minutes of sun on a mean day with the scenario, by month and hour of "
+                                      "the clock; in red and green what it takes and gives"
+                                    : "Minutes of sun on a mean day, by month and hour of the clock";
+            if (columns.size() > 1) title += fmt::format(" ({})", describeTrees(trees));
+            addText(60, y, title, "font-size=\"14\"");
+            drawSunCarpet(study_, trees, {90, double(y) + 30}, svg_);
+            y += carpetPx;
+        }
     }
 
     const PointStudy& study_;

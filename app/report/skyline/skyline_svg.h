@@ -74,11 +74,14 @@ private:
     std::string& svg_;
 };
 
+/// The sunlit minutes of a point's year in a column of trees; where it sees none, those without.
+const MonthHours& minutesOf(const PointView& view, TreeColumns trees);
+
 /// Adds to `svg` the sunlit minutes of a mean day by month (rows, January first) and hour of the wall clock
 /// (columns): the more, the darker. Beside each figure, in red or green, the minutes that the scenario takes
 /// or gives, from half a minute on. `corner`: the upper left of the cells; labels lie outside, 40 px to the
 /// left and 14 px above.
-void drawSunCarpet(const PointStudy& study, glm::dvec2 corner, std::string& svg);
+void drawSunCarpet(const PointStudy& study, TreeColumns trees, glm::dvec2 corner, std::string& svg);
 
 /// The width of the drawing, and the height of its upper part, the cylindrical frame.
 inline constexpr int skylineSvgWidthPx = 1200, skylineSvgUpperPx = 450;
@@ -89,7 +92,8 @@ inline constexpr int skylineSvgWidthPx = 1200, skylineSvgUpperPx = 450;
 /// dark; crowns are green, as dense as on the day that was asked for. The sun's paths of the 21st of December
 /// to June, thick where the point is lit, with full hours of `zone`, and the path of the day that was asked
 /// for. What a scenario hides beyond the baseline is red. Below, the sunlit minutes of a mean day by month
-/// and hour. `city`: the baseline, which names buildings.
+/// and hour; where trees are seen, again with trees as evergreens and with their seasons. `city`: the
+/// baseline, which names buildings.
 std::string skylineSvg(const PointStudy& study, const City& city, const Zone& zone);
 
 }  // namespace noonmark

@@ -265,10 +265,6 @@ std::vector<Contribution> rankWithTrees(std::vector<Contribution> rows,
     return rows;
 }
 
-std::string treeContributionsCsv(const Study& study) {
-    return treeContributionsCsv(listTreeContributions(study), study.city, study.provenance);
-}
-
 std::string treeContributionsCsv(const std::vector<TreeContribution>& rows, const City& city,
                                  const Provenance& provenance) {
     std::vector<std::string> columns{"source_id", "species", "lon_deg", "lat_deg"};
@@ -302,14 +298,14 @@ std::vector<BuildingColumn> contributionColumns(const std::vector<Contribution>&
     return columns;
 }
 
-LayerStyle contributionStyle() {
+LayerStyle contributionStyle(std::string_view column) {
     std::vector<ColourClass> classes;
     for (std::size_t i = 0; i < contributionClasses.size(); ++i) {
         const auto& [from, colour] = contributionClasses[i];
         const double to = i + 1 < contributionClasses.size() ? contributionClasses[i + 1].from : 1;
         classes.push_back({from, to, colour, fmt::format("{:g} to {:g} %", 100 * from, 100 * to)});
     }
-    return {"Share of the shadow", graduatedStyle(StyledShape::polygons, "share", classes)};
+    return {"Share of the shadow", graduatedStyle(StyledShape::polygons, std::string(column), classes)};
 }
 
 namespace {
@@ -432,46 +428,6 @@ std::vector<ContributionTable> parseContributions(const Json& answer) {
                        .rows = parseRows(of.at("buildings")),
                        .trees = parseTrees(of.value("trees", Json::array()))});
     return all;
-}
-
-namespace {
-
-std::vector<ElementColumn> layerColumns() {
-    std::vector<ElementColumn> columns;
-    for (const char* name : {"place", "kind", "period", "source_id", "name"})
-        columns.push_back({name, std::string()});
-    for (const Figure& figure : contributionFigures().rows())
-        if (figure.inFiles) columns.push_back({std::string(figure.key), 0.0, figure.decimals});
-    return columns;
-}
-
-std::vector<ElementValue> layerRow(const ContributionTable& of, const Contribution& row) {
-    std::vector<ElementValue> values{of.place, of.kind, of.period, row.id, row.name};
-    for (const Figure& figure : contributionFigures().rows())
-        if (figure.inFiles) values.emplace_back(figure.get(&row));
-    return values;
-}
-
-Place outlineOf(const Building& building) {
-    Place outline;
-    for (const Part& part : building.parts) outline.polygons.push_back(part.footprint);
-    return outline;
-}
-
-}  // namespace
-
-ContributionLayer makeContributionLayer(const std::vector<ContributionTable>& all, const City& city) {
-    std::map<std::string, const Building*> buildings;
-    for (const auto& building : city.buildings) buildings.emplace(building->sourceId, building.get());
-    ContributionLayer layer{{}, {.columns = layerColumns(), .rows = {}, .places = {}}, contributionStyle()};
-    for (const ContributionTable& of : all)
-        for (const Contribution& row : of.rows) {
-            const auto found = buildings.find(row.id);
-            if (found == buildings.end()) continue;
-            layer.outlines.push_back(outlineOf(*found->second));
-            layer.table.rows.push_back(layerRow(of, row));
-        }
-    return layer;
 }
 
 // The months of the place that has most of them: they are those of the answer's period.

@@ -74,8 +74,7 @@ std::vector<Contribution> rankWithTrees(std::vector<Contribution> rows,
 /// "share_evergreen", "attributed_min_day_seasonal"
 std::span<const Figure> contributionFiguresWithTrees(TreeColumns column);
 /// Columns: source_id,species,lon_deg,lat_deg and the figures with trees; then the source columns.
-std::string treeContributionsCsv(const Study& study);
-/// Of rows whose trees are of `city`.
+/// `rows`: their trees are of `city`.
 std::string treeContributionsCsv(const std::vector<TreeContribution>& rows, const City& city,
                                  const Provenance& provenance);
 inline constexpr const char* treeContributionsFile = "tree_contributions.csv";
@@ -94,7 +93,7 @@ inline constexpr std::array contributionClasses{
     ContributionClass{0.05, {0xf7, 0x68, 0xa1}}, ContributionClass{0.15, {0xc5, 0x1b, 0x8a}},
     ContributionClass{0.30, {0x7a, 0x01, 0x77}}};
 
-/// The style of those columns for QGIS: buildings coloured by `share`.
-LayerStyle contributionStyle();
+/// The style of such columns for QGIS: polygons coloured by this one, a share.
+LayerStyle contributionStyle(std::string_view column = "share");
 
 }  // namespace noonmark

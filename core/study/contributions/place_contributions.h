@@ -79,15 +79,22 @@ inline constexpr const char* contributionTableFile = "contributions_of_places.cs
 std::string placeTreesCsv(const std::vector<ContributionTable>& all, const Provenance& provenance);
 inline constexpr const char* placeTreesFile = "trees_of_places.csv";
 
-/// Those rows as a layer for a GIS: the outline of each building with what it takes from a place, so that a
-/// building has a polygon for each place. Columns: place,kind,period,source_id,name and the figures. Without
-/// the terrain, and without buildings that the city lacks. `style`: by share, as contributionStyle().
+/// Rows as a layer for a GIS. `style`: by share, as contributionStyle().
 struct ContributionLayer {
     std::vector<Place> outlines;
     ElementTable table;
     LayerStyle style;
 };
+/// The outline of each building and of each tree's crown with what it takes from a place, so that it has a
+/// polygon for each place. Columns: place,kind,period,what ("building", "tree"),source_id,name and the
+/// figures, which of a tree are those of chooseRankedColumn(); then those of trees by column
+/// ("share_evergreen"). Without the terrain, and without what the city lacks.
 ContributionLayer makeContributionLayer(const std::vector<ContributionTable>& all, const City& city);
 inline constexpr const char* contributionLayerFile = "contributions_of_places.gpkg";
+
+/// The crowns of trees of `city` with what they take. Columns: source_id,species,height_m,crown_m and the
+/// figures by column.
+ContributionLayer makeTreeLayer(const std::vector<TreeContribution>& rows, const City& city);
+inline constexpr const char* treeLayerFile = "tree_contributions.gpkg";
 
 }  // namespace noonmark

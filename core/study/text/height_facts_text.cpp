@@ -148,9 +148,35 @@ std::optional<std::string> makeStandHeadline(const HeightFacts& facts) {
     return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-std::vector<Sentence> describeHeights(const HeightCounts& counts, const HeightFacts& facts) {
+std::optional<Sentence> describeEstimatedTrees(const std::shared_ptr<const Trees>& trees) {
+    if (!trees) return std::nullopt;
+    const auto countGuesses = [&](TreeSource Tree::*source) {
+        return std::size_t(std::ranges::count_if(trees->trees, [&](const Tree& tree) {
+            return tree.*source == TreeSource::estimated || tree.*source == TreeSource::assumed;
+        }));
+    };
+    const std::size_t all = trees->trees.size(), heights = countGuesses(&Tree::heightSource),
+                      crowns = countGuesses(&Tree::crownSource);
+    if (double(std::max(heights, crowns)) <= maxAssumedShare * double(all)) return std::nullopt;
+    return Sentence{NM_TEXT("Estimated or assumed of %1 trees: height of %2, crown of %3"),
+                    {countAmount(all), countAmount(heights), countAmount(crowns)}};
+}
+
+std::vector<GeometryHeadline> listGeometryHeadlines(const City& city, const HeightFacts& facts) {
+    std::vector<GeometryHeadline> headlines;
+    const auto add = [&](const char* of, std::optional<std::string> text) {
+        if (text) headlines.push_back({of, *std::move(text)});
+    };
+    add("heights", makeAssumedHeadline(countHeights(city)));
+    add("unit of heights", makeDoubtHeadline(facts));
+    add("bases", makeStandHeadline(facts));
+    if (const auto trees = describeEstimatedTrees(city.trees)) add("heights of trees", formatText(*trees));
+    return headlines;
+}
+
+std::vector<Sentence> describeHeights(const City& city, const HeightFacts& facts) {
     std::vector<Sentence> sentences;
-    const auto assumed = describeAssumed(counts);
+    const auto assumed = describeAssumed(countHeights(city));
     if (assumed) sentences.push_back(*assumed);
     std::vector<std::string> fields;
     for (const UnknownField& field : facts.unknown) fields.push_back(describe(field));
@@ -161,6 +187,7 @@ std::vector<Sentence> describeHeights(const HeightCounts& counts, const HeightFa
         sentences.push_back({NM_TEXT("In doubt: %1"), {describe(doubt)}});
     for (const BaseFit& fit : facts.bases)
         if (fit.isRemarkable()) std::ranges::move(listSentences(fit), std::back_inserter(sentences));
+    if (const auto trees = describeEstimatedTrees(city.trees)) sentences.push_back(*trees);
     return sentences;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/base/warnings.h"
 #include "core/city/building_heights.h"
+#include "core/city/trees/tree.h"
 #include "core/describe/answer_page.h"
 #include "core/io/heights/height_facts.h"
 
@@ -35,9 +36,21 @@ std::optional<std::string> makeDoubtHeadline(const HeightFacts& facts);
 /// nothing without such a file.
 std::optional<std::string> makeStandHeadline(const HeightFacts& facts);
 
+/// "Estimated or assumed of 2,931 trees: height of 2,931, crown of 412" if more than maxAssumedShare of
+/// either are; else nothing. Null: no trees.
+std::optional<Sentence> describeEstimatedTrees(const std::shared_ptr<const Trees>& trees);
+
+/// What stands above the figures of a city's study: what its geometry owes to assumptions.
+struct GeometryHeadline {
+    std::string of;  ///< "heights", "unit of heights", "bases", "heights of trees"
+    std::string text;
+};
+std::vector<GeometryHeadline> listGeometryHeadlines(const City& city, const HeightFacts& facts);
+
 /// What a message says of heights that may be wrong: how many are assumed and the fields that the user could
-/// choose, fields whose unit is doubtful, buildings that were not left at the elevations of their file.
-std::vector<Sentence> describeHeights(const HeightCounts& counts, const HeightFacts& facts);
+/// choose, fields whose unit is doubtful, buildings that were not left at the elevations of their file; then
+/// describeEstimatedTrees().
+std::vector<Sentence> describeHeights(const City& city, const HeightFacts& facts);
 
 /// {parts, by_source: {measured: parts, ...}, assumed_share, assumed_m, fields: [{file, field, meaning, unit,
 /// features}], could_be: [{file, field, low, high, whole, features}], doubts: [...], bases: [...]}; assumed_m

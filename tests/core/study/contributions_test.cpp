@@ -378,13 +378,60 @@ TEST(TreeContributions, TreesAddUpAndAreSoleForLess) {
     const Contribution &one = rows[1].columns[0].second, &other = rows[2].columns[0].second;
     EXPECT_NEAR(one.attributedMin, other.attributedMin, 1e-9);
     EXPECT_LT(one.soleMin, 0.5 * one.attributedMin);
-    const std::string csv = treeContributionsCsv(study);
+    const std::string csv = treeContributionsCsv(rows, study.city, study.provenance);
     EXPECT_THAT(csv,
                 testing::StartsWith("source_id,species,lon_deg,lat_deg,share_evergreen,"
                                     "attributed_min_day_evergreen,sole_min_day_evergreen,share_seasonal,"));
     EXPECT_THAT(csv, HasSubstr("\ntree 2,Tilia,"));
     EXPECT_FALSE(studied(grove({{60, -40}}), atNoon("horizon")).byTree) << "not asked for";
     EXPECT_FALSE(studiedByTree(grove({})).byTree);
+}
+
+std::size_t columnOf(const ContributionLayer& layer, std::string_view name) {
+    const auto found = std::ranges::find(layer.table.columns, name, &ElementColumn::name);
+    EXPECT_NE(found, layer.table.columns.end()) << name;
+    return std::size_t(found - layer.table.columns.begin());
+}
+
+// A regular polygon of 32 corners in a circle of 10 m: 78.04 m2.
+TEST(TreeContributions, AreALayerOfCrowns) {
+    const Study study = studiedByTree(grove({{60, -40}, {-60, 100}}));
+    const std::vector<TreeContribution> rows = listTreeContributions(study);
+    ASSERT_EQ(rows.size(), 2U);
+    const ContributionLayer layer = makeTreeLayer(rows, study.city);
+    ASSERT_EQ(layer.outlines.size(), 2U);
+    EXPECT_NEAR(area(layer.outlines[0]), 78.04, 0.01);
+    const glm::vec2 middle = 0.5F * (bounds(layer.outlines[0]).low + bounds(layer.outlines[0]).high);
+    EXPECT_NEAR(glm::distance(glm::dvec2(middle), study.city.trees->trees[rows[0].tree].place), 0, 1e-3);
+    const auto& values = layer.table.rows[0];
+    EXPECT_EQ(std::get<std::string>(values[columnOf(layer, "species")]), "Tilia");
+    EXPECT_EQ(std::get<double>(values[columnOf(layer, "crown_m")]), 10);
+    EXPECT_EQ(std::get<double>(values[columnOf(layer, "share_evergreen")]), rows[0].columns[0].second.share);
+    EXPECT_EQ(std::get<double>(values[columnOf(layer, "sole_min_day_seasonal")]),
+              rows[0].columns[1].second.soleMin);
+    EXPECT_THAT(layer.style.qml, HasSubstr("attr=\"share_seasonal\""));
+}
+
+TEST(PlaceContributions, TheLayerHasTheCrownsBesideTheBuildings) {
+    const Study study = studied(grove({{26, 57}}), atNoon("horizon"));
+    ContributionTable of = makeContributionTable(attributed(study, square("Yard", 0, 52, 20, 92)));
+    ASSERT_EQ(of.trees.size(), 1U);
+    ASSERT_FALSE(of.rows.empty());
+    const ContributionLayer layer = makeContributionLayer({of}, study.city);
+    ASSERT_EQ(layer.outlines.size(), of.rows.size() + 1);
+    const auto &building = layer.table.rows.front(), &tree = layer.table.rows.back();
+    EXPECT_EQ(std::get<std::string>(building[columnOf(layer, "what")]), "building");
+    EXPECT_TRUE(std::isnan(std::get<double>(building[columnOf(layer, "share_seasonal")])));
+    EXPECT_EQ(std::get<std::string>(tree[columnOf(layer, "what")]), "tree");
+    EXPECT_EQ(std::get<std::string>(tree[columnOf(layer, "source_id")]), "tree 0");
+    EXPECT_EQ(std::get<std::string>(tree[columnOf(layer, "name")]), "Tilia");
+    const auto& columns = of.trees[0].columns;
+    EXPECT_EQ(std::get<double>(tree[columnOf(layer, "share")]), columns.back().second.share);
+    EXPECT_EQ(std::get<double>(tree[columnOf(layer, "share_evergreen")]), columns.front().second.share);
+    EXPECT_NEAR(area(layer.outlines.back()), 78.04, 0.01);
+    City felled = study.city;
+    felled.trees.reset();
+    EXPECT_EQ(makeContributionLayer({of}, felled).outlines.size(), of.rows.size()) << "it has no outline";
 }
 
 // North of both towers stand two trees, in one place; a third shades another place.

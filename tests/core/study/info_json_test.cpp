@@ -128,6 +128,28 @@ TEST(AssumedHeights, AreAHeadlineAboveATenth) {
     EXPECT_EQ(makeAssumedHeadline(countHeights(mixed)), "4 of 4 heights are assumed (most of them 9.6 m)");
 }
 
+// Of ten trees one height and two crowns: only the crowns are more than a tenth.
+TEST(AssumedHeights, AndCrownsOfTreesAreAHeadline) {
+    City city = ofHeights(11, 89);
+    Trees trees;
+    for (int i = 0; i < 10; ++i) trees.trees.push_back({.heightSource = TreeSource::measured});
+    for (Tree& tree : trees.trees) tree.crownSource = TreeSource::designed;
+    const auto headlines = [&] {
+        city.trees = std::make_shared<const Trees>(trees);
+        return listGeometryHeadlines(city, {});
+    };
+    trees.trees[0].heightSource = TreeSource::estimated;
+    trees.trees[0].crownSource = TreeSource::assumed;
+    ASSERT_EQ(headlines().size(), 1U) << "a tenth of each is not said";
+    trees.trees[1].crownSource = TreeSource::estimated;
+    const auto said = headlines();
+    ASSERT_EQ(said.size(), 2U);
+    EXPECT_EQ(said[0].text, "11 of 100 heights are assumed (9.6 m)");
+    EXPECT_EQ(said[1].of, "heights of trees");
+    EXPECT_EQ(said[1].text, "Estimated or assumed of 10 trees: height of 1, crown of 2");
+    EXPECT_EQ(formatText(describeHeights(city, {}).back()), said[1].text);
+}
+
 TEST(AssumedHeights, AreCountedInJsonWithTheFieldsOfTheOthers) {
     CityRead read;
     read.city = ofHeights(1, 3);
@@ -141,7 +163,7 @@ TEST(AssumedHeights, AreCountedInJsonWithTheFieldsOfTheOthers) {
     EXPECT_EQ(heights["fields"][0]["meaning"], "base of the roof");
     EXPECT_EQ(heights["fields"][0]["unit"], "m");
     EXPECT_EQ(heights["could_be"][0]["high"], 41);
-    const auto said = describeHeights(countHeights(read.city), read.heights);
+    const auto said = describeHeights(read.city, read.heights);
     ASSERT_EQ(said.size(), 2U);
     EXPECT_EQ(formatText(said[0]), "1 of 4 heights are assumed (9.6 m)");
     EXPECT_EQ(formatText(said[1]),

@@ -17,6 +17,8 @@
 #include "app/gui/docks/study_form/what_form.h"
 #include "app/gui/session/study/run_estimate.h"
 #include "app/gui/tools/editing/building_editing.h"
+#include "app/gui/tools/editing/tree_editing.h"
+#include "core/city/trees/tree_facts.h"
 #include "tests/gui/answers_window.h"
 
 namespace noonmark {
@@ -178,6 +180,50 @@ TEST_F(ContributionsWindow, RowsAndBuildingsOfTheViewSelectEachOther) {
     EXPECT_NE(window->panel().view().pose().distanceM, before.distanceM);
 }
 
+TEST_F(ContributionsWindow, ATreesRowChoosesTheTreeAndLeadsToIt) {
+    Project next = session().project();
+    City city = *next.city;
+    Trees trees{.trees = {}, .leafDays = {100, 300}};
+    for (const double x : {-50.0, 40.0}) {
+        trees.trees.push_back(completeTree({.sourceId = "tree " + std::to_string(trees.trees.size()),
+                                            .species = "Platanus",
+                                            .heightM = 14,
+                                            .crownDiameterM = 10}));
+        trees.trees.back().place = {x, 40};
+    }
+    city.trees = std::make_shared<const Trees>(std::move(trees));
+    next.city = std::make_shared<const City>(std::move(city));
+    ASSERT_TRUE(session().change(std::move(next), QStringLiteral("trees")));
+    ASSERT_TRUE(waitFor([&] { return workbench().city()->city().trees != nullptr; }));
+    ask(false, true);
+    study();
+    const auto rowOf = [&](const char* id) { return dock().model().rowOfTree(id); };
+    ASSERT_GE(rowOf("tree 0"), 0) << headline().toStdString();
+    ASSERT_GE(rowOf("tree 1"), 0);
+    TreeEditing& editing = window->tools().trees();
+    window->tools().building().select(0);
+    table().selectRow(rowOf("tree 1"));
+    EXPECT_EQ(editing.chosenIds(), (std::set<std::string>{"tree 1"}));
+    EXPECT_FALSE(window->tools().building().selected()) << "one thing is chosen";
+    EXPECT_EQ(table().currentIndex().row(), rowOf("tree 1")) << "its row stays selected";
+    EXPECT_TRUE(table().selectionModel()->hasSelection());
+    Q_EMIT table().activated(table().currentIndex());
+    const CameraPose pose = window->panel().view().pose();
+    EXPECT_NEAR(pose.target.x, 40, 5);
+    EXPECT_NEAR(pose.target.y, 40, 25) << "seen slanting";
+    // A building's row lets the tree go; so does the tree's id asked for elsewhere the building.
+    for (int row = 0; row < table().model()->rowCount(); ++row)
+        if (sheet().rows[std::size_t(row)].building) table().selectRow(row);
+    EXPECT_TRUE(editing.chosenIds().empty());
+    EXPECT_TRUE(window->tools().building().selected());
+    links().show(QStringLiteral("tree 0"));
+    EXPECT_EQ(editing.chosenIds(), (std::set<std::string>{"tree 0"}));
+    EXPECT_NEAR(window->panel().view().pose().target.x, -50, 5);
+    links().show(QString::fromStdString(test::idOf(session().project(), 2)));
+    ASSERT_TRUE(window->tools().building().selected());
+    EXPECT_EQ(*window->tools().building().selected(), 2U);
+}
+
 TEST_F(ContributionsWindow, ColoursGoWithTheirBoxAndWithTheDock) {
     ask(false, true);
     study();
@@ -332,6 +378,8 @@ TEST(ContributionSheets, ListTreesWithTheBuildingsAndStateBothTimes) {
     const ContributionSheet seasonal = makeContributionSheet(of, city, {});
     ASSERT_EQ(seasonal.rows.size(), 2U);
     EXPECT_EQ(seasonal.rows[1].name.toStdString(), "Tree lime");
+    EXPECT_EQ(seasonal.rows[1].tree, "lime");
+    EXPECT_TRUE(seasonal.rows[0].tree.empty());
     EXPECT_DOUBLE_EQ(seasonal.rows[1].share, 0.25);
     EXPECT_TRUE(seasonal.areTreesListed);
     EXPECT_THAT(seasonal.headline.toStdString(),

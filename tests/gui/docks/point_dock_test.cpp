@@ -2,12 +2,17 @@
 
 #include <QComboBox>
 #include <QFile>
+#include <QLabel>
 #include <QTableWidget>
 #include <QTemporaryDir>
 
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/point/point_dock.h"
 #include "app/gui/docks/point/point_inspector.h"
+#include "app/gui/tools/editing/edit_tools.h"
 #include "app/gui/view/time/time_strip.h"
+#include "core/city/trees/tree_facts.h"
+#include "scenarios/edits/tree_edits.h"
 #include "tests/gui/project_window.h"
 #include "tests/gui/wait_for.h"
 
@@ -90,6 +95,36 @@ TEST_F(ProjectWindow, APointIsComparedInAnyTwoScenarios) {
     EXPECT_EQ(points.answer()->from, workbench().session().project().scenarios[0].name);
     ASSERT_TRUE(points.answer()->study.scenario);
     EXPECT_LE(points.answer()->study.scenario->year.grossMin, points.answer()->study.baseline.year.grossMin);
+}
+
+// A scenario plants an evergreen beside the point; without it the lines with trees are those without.
+TEST_F(ProjectWindow, ScenariosOfAPointHaveLinesWithTrees) {
+    const Box2 box = bounds(workbench().city()->city());
+    const glm::dvec2 at(box.low.x - 5, box.low.y - 30);
+    const auto tree = designTree({.species = "Pinus", .heightM = 14, .crownDiameterM = 10});
+    ASSERT_TRUE(tree);
+    ASSERT_TRUE(session().addEdits(makePlantings(workbench().city()->city(), *tree, {at + glm::dvec2(0, -8)}),
+                                   QStringLiteral("plant")));
+    ASSERT_TRUE(waitFor([&] { return workbench().city()->city().trees != nullptr; }));
+    PointInspector& points = window->points();
+    points.inspect({{at.x, at.y, 0}, {}, {0, 0, 1}});
+    ASSERT_TRUE(waitFor([&] { return points.answer() != nullptr; }, 20'000));
+    auto* table = window->findChild<QTableWidget*>(QStringLiteral("pointScenarios"));
+    ASSERT_EQ(table->rowCount(), 4) << "the existing city has no tree";
+    const auto text = [&](int row, int column) { return table->item(row, column)->text(); };
+    EXPECT_EQ(text(2, 0).trimmed(), QStringLiteral("trees as evergreens"));
+    EXPECT_EQ(text(3, 0).trimmed(), QStringLiteral("trees with their seasons"));
+    EXPECT_EQ(text(1, 2), text(0, 2)) << "nor has the scenario a new building";
+    const double without = points.answer()->cases[1].yearMin;
+    const double with = points.answer()->cases[1].withTrees.at(0).yearMin;
+    EXPECT_LT(with, without - 60);
+    EXPECT_EQ(text(2, 3), withPlus((with - without) / 60, groupDigits((with - without) / 60, 1)));
+    EXPECT_TRUE(points.answer()->drawing.contains("(trees with their seasons)")) << "a carpet of its own";
+
+    auto* taken = window->findChild<QLabel*>(QStringLiteral("takenByTrees"));
+    EXPECT_TRUE(taken->text().contains(QStringLiteral("Pinus"))) << taken->text().toStdString();
+    Q_EMIT taken->linkActivated(QStringLiteral("planted 1"));
+    EXPECT_TRUE(window->tools().trees().chosenIds().contains("planted 1"));
 }
 
 TEST_F(ProjectWindow, APointIsSavedAsDrawingPictureAndTable) {

@@ -1,6 +1,9 @@
 #include "app/gui/session/study/study_document.h"
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/input/all_engines.h"
+#include "app/input/load_city.h"
+#include "core/city/terrain/terrain.h"
+#include "tests/gui/small_city.h"
 
 #include <gtest/gtest.h>
 
@@ -99,6 +102,26 @@ TEST(StudyDock, ShowingAPeriodDoesNotChangeIt) {
     EXPECT_EQ(document.settings().period.window, settings.period.window);
     EXPECT_EQ(document.settings().period.zone, "Australia/Sydney");
     EXPECT_EQ(document.settings().period.stepMinutes, 0.5);
+}
+
+// The small city lies within 100 m of its middle; terrain of 121 x 101 m is in it, and another far away.
+TEST(FirstRegion, StaysOnTheTerrain) {
+    LoadedCity loaded;
+    loaded.read.city = test::smallCity();
+    const auto regionOn = [&](double westM) {
+        Terrain terrain{.grid = {westM, -60, 1, 121, 101}};
+        terrain.elevationM.assign(terrain.grid.size(), 0);
+        loaded.read.city.terrain = std::make_shared<const Terrain>(std::move(terrain));
+        return bounds(firstRegion(loaded, 600));
+    };
+    const Box2 box = regionOn(-60);
+    EXPECT_GE(box.low.x, -60);
+    EXPECT_LE(box.high.x, 61);
+    EXPECT_GE(box.low.y, -60);
+    EXPECT_LE(box.high.y, 41);
+    EXPECT_GT(box.high.x - box.low.x, 100) << "nearly all of it";
+    const Box2 all = regionOn(5000);
+    EXPECT_LT(all.low.x, -100) << "terrain elsewhere does not move it";
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QTableWidget>
 #include <QTest>
 #include <algorithm>
 
@@ -147,6 +148,68 @@ TEST_F(TreeWindow, ADragMovesTheChosenTree) {
     ASSERT_TRUE(waitFor([&] { return trees()[0].place != from; }));
     EXPECT_NEAR(trees()[0].place.x - from.x, 10, 0.5);
     EXPECT_NEAR(trees()[0].place.y - from.y, 5, 0.5);
+}
+
+/// A study of the city with a tree, and a place.
+struct LiveTreeWindow : TreeWindow {
+    void SetUp() override {
+        TreeWindow::SetUp();
+        Project next = session().project();
+        next.places.push_back({"Lawn", PlaceKind::park, {test::square({-60, 10}, 40)}, "drawn"});
+        ASSERT_TRUE(session().change(std::move(next), QStringLiteral("places")));
+        StudySettings question = workbench().document().settings();
+        question.receivers.cellM = 4;
+        question.period.stepMinutes = 10;
+        question.region = session().project().regions[0];
+        workbench().document().change(question, QStringLiteral("test"));
+    }
+    void measure() {
+        workbench().run();
+        ASSERT_TRUE(waitFor([this] { return workbench().study() != nullptr; }));
+        QCoreApplication::processEvents();
+    }
+    QTableWidget& figures() { return field<QTableWidget>("treeFigures"); }
+    QString text(int row, int column) { return figures().item(row, column)->text(); }
+    void send(QEvent::Type type, glm::dvec2 ground, double z, Qt::MouseButtons buttons) {
+        CityView& view = window->panel().view();
+        const auto pixel = pixelOf(view.pose(), view.lens(), {ground, z});
+        const QPointF at(pixel->x, pixel->y);
+        QMouseEvent event(type, at, at, Qt::LeftButton, buttons, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view, &event);
+    }
+};
+
+TEST_F(LiveTreeWindow, FiguresFollowADraggedTree) {
+    plant({{-40, -40}});
+    measure();
+    EXPECT_TRUE(figures().isHidden());
+    click({-40, -40}, 5);
+    send(QEvent::MouseButtonPress, {-40, -40}, 0, Qt::LeftButton);
+    send(QEvent::MouseMove, {-40, 0}, 0, Qt::LeftButton);
+    send(QEvent::MouseMove, {-40, 25}, 0, Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return !figures().isHidden() && figures().rowCount() == 2; }));
+    EXPECT_EQ(text(1, 0), QStringLiteral("Lawn"));
+    EXPECT_TRUE(text(1, 2).startsWith(u'+')) << text(1, 2).toStdString();
+    send(QEvent::MouseButtonRelease, {-40, 25}, 0, Qt::NoButton);
+    EXPECT_TRUE(figures().isHidden()) << "the study is no longer that of the city";
+    ASSERT_TRUE(waitFor([&] { return trees()[0].place.y > 20; }));
+}
+
+TEST_F(LiveTreeWindow, FiguresFollowATreeThatIsToBePlanted) {
+    measure();
+    field<QPushButton>("plantTree").click();
+    const auto hover = [&](glm::dvec2 ground) {
+        const CityView& view = window->panel().view();
+        const auto pixel = pixelOf(view.pose(), view.lens(), {ground, 0});
+        window->tools().trees().hover({pixel->x, pixel->y});
+    };
+    hover({-40, 25});
+    ASSERT_TRUE(waitFor([&] { return figures().rowCount() == 2 && text(1, 2).startsWith(u'+'); }));
+    hover({60, -60});
+    ASSERT_TRUE(waitFor([&] { return figures().rowCount() == 1; })) << "the lawn keeps its sun";
+    Q_EMIT window->panel().keyPressed(Qt::Key_Escape);
+    EXPECT_TRUE(figures().isHidden());
+    EXPECT_TRUE(trees().empty());
 }
 
 /// The small project and files of trees in its city.

@@ -79,4 +79,8 @@ QString ruleName(std::string_view name) {
     return QCoreApplication::translate("Rule", std::string(name).c_str());
 }
 
+QString makeLink(const QString& target, const QString& text) {
+    return QStringLiteral("<a href=\"%1\">%2</a>").arg(target.toHtmlEscaped(), text.toHtmlEscaped());
+}
+
 }  // namespace noonmark

@@ -14,4 +14,7 @@ QString scenarioName(const std::string& name);
 /// A rule's name, its place or its country.
 QString ruleName(std::string_view name);
 
+/// Rich text that emits QLabel::linkActivated(target).
+QString makeLink(const QString& target, const QString& text);
+
 }  // namespace noonmark

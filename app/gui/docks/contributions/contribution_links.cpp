@@ -20,7 +20,9 @@ namespace noonmark {
 
 namespace {
 
-constexpr float aroundM = 80;  // of the ground around a building that is shown
+// Of the ground that is shown around what a row is about.
+constexpr float aroundM = 80;
+constexpr float aroundTreeM = 40;
 
 }  // namespace
 
@@ -53,13 +55,8 @@ void ContributionLinks::connectDock() {
     connect(&dock_, &ContributionsDock::attributionRequested, this, &ContributionLinks::attribute);
     connect(&dock_, &ContributionsDock::coloursChanged, this, &ContributionLinks::colour);
     connect(&dock_, &ContributionsDock::shownChanged, this, &ContributionLinks::colour);
-    connect(&dock_, &ContributionsDock::highlighted, this,
-            [this](const std::shared_ptr<const Building>& one) {
-                const auto index = indexOf(*one);
-                if (index && tools_.building().selected() != index) tools_.building().select(index);
-            });
-    connect(&dock_, &ContributionsDock::goToRequested, this,
-            [this](const std::shared_ptr<const Building>& one) { goTo(*one); });
+    connect(&dock_, &ContributionsDock::highlighted, this, &ContributionLinks::mark);
+    connect(&dock_, &ContributionsDock::goToRequested, this, &ContributionLinks::goTo);
 }
 
 void ContributionLinks::connectView() {
@@ -281,9 +278,36 @@ void ContributionLinks::click(QPointF pixel) {
     if (place != nullptr) choose(place->name);
 }
 
-void ContributionLinks::goTo(const Building& building) {
-    Box2 box = bounds(building);
-    panel_.navigator().showSlanting({box.low - aroundM, box.high + aroundM});
+void ContributionLinks::show(const QString& id) {
+    if (!workbench_.city()) return;
+    ContributionRow row{.name = id};
+    const auto& buildings = workbench_.city()->city().buildings;
+    const auto found = std::ranges::find(buildings, id.toStdString(),
+                                         [](const auto& one) -> const std::string& { return one->sourceId; });
+    if (found != buildings.end())
+        row.building = *found;
+    else
+        row.tree = id.toStdString();
+    mark(row);
+    goTo(row);
+}
+
+// A tree is chosen before the building is let go: what follows the selection finds its row.
+void ContributionLinks::mark(const ContributionRow& row) {
+    const auto building = row.building ? indexOf(*row.building) : std::nullopt;
+    if (building && tools_.building().selected() != building) tools_.building().select(building);
+    if (row.tree.empty()) return;
+    tools_.trees().choose(row.tree);
+    if (!tools_.building().all().empty()) tools_.building().select(std::nullopt);
+}
+
+void ContributionLinks::goTo(const ContributionRow& row) {
+    const auto show = [this](const Box2& box, float marginM) {
+        panel_.navigator().showSlanting({box.low - marginM, box.high + marginM});
+    };
+    if (row.building) return show(bounds(*row.building), aroundM);
+    if (const auto tree = tools_.trees().findTree(row.tree))
+        show({glm::vec2(tree->place), glm::vec2(tree->place)}, aroundTreeM);
 }
 
 std::optional<std::uint32_t> ContributionLinks::indexOf(const Building& building) const {
@@ -295,6 +319,8 @@ std::optional<std::uint32_t> ContributionLinks::indexOf(const Building& building
 }
 
 void ContributionLinks::markSelected() {
+    const auto& trees = tools_.trees().chosenIds();
+    if (tools_.building().all().empty() && trees.size() == 1) return dock_.selectTree(*trees.begin());
     const auto selected = tools_.building().selected();
     const bool known =
         selected && workbench_.city() && *selected < workbench_.city()->city().buildings.size();

@@ -15,10 +15,10 @@ class ViewPanel;
 class Workbench;
 struct SavedContent;
 
-/// Asks what each building takes from the displayed study or comparison, in the whole region or in the place
-/// that is clicked, and connects the answer with the view: buildings are coloured by what they take, a row
-/// selects its building and a click on a building its row. Attribution runs in a job that can be stopped;
-/// answers are kept until the study changes.
+/// Asks what each building and tree takes from the displayed study or comparison, in the whole region or in
+/// the place that is clicked, and connects the answer with the view: buildings are coloured by what they
+/// take, a row selects its building or tree and a click on one its row. Attribution runs in a job that can be
+/// stopped; answers are kept until the study changes.
 class ContributionLinks final : public QObject {
     Q_OBJECT
 public:
@@ -26,6 +26,8 @@ public:
     ContributionLinks(ContributionsDock& dock, Workbench& workbench, EditTools& tools, ViewPanel& panel);
 
     void choose(const std::string& place);  ///< of the project; empty: the whole region
+    /// Selects the building or the tree with this id, and moves the view to it.
+    void show(const QString& id);
     /// The answer shown, of a study; null: none, or it came with the study.
     [[nodiscard]] std::shared_ptr<const PlaceContributions> shown() const;
     /// One of the dates of sun by place: contributions are of that day; none: of the period.
@@ -48,7 +50,8 @@ private:
     void attributeSun(std::size_t place);
     void take(const std::string& place, Result<PlaceContributions> made);
     void click(QPointF pixel);
-    void goTo(const Building& building);
+    void mark(const ContributionRow& row);
+    void goTo(const ContributionRow& row);
     void markSelected();
     void colour();
     [[nodiscard]] ShownAs shownAs() const;

@@ -56,6 +56,12 @@ ContributionRow makeRow(const Contribution& one, const QString& name,
     return row;
 }
 
+ContributionRow makeTreeRow(const Contribution& one) {
+    ContributionRow row = makeRow(one, nameOfTree(one), nullptr);
+    row.tree = one.id;
+    return row;
+}
+
 ContributionRow makeRow(const Contribution& one, const City& city) {
     if (!one.building) return makeRow(one, QObject::tr("Terrain"), nullptr);
     const QString name = nameOf(one.name, one.id);
@@ -144,8 +150,7 @@ void fillSheet(ContributionSheet& sheet, const std::vector<Contribution>& buildi
     view.trees = chooseRankedColumn(trees, view.trees);
     const std::vector<Contribution> rows =
         trees.empty() ? buildings : rankWithTrees(buildings, trees, view.trees);
-    for (const Contribution& one : rows)
-        sheet.rows.push_back(one.isTree ? makeRow(one, nameOfTree(one), nullptr) : rowOf(one));
+    for (const Contribution& one : rows) sheet.rows.push_back(one.isTree ? makeTreeRow(one) : rowOf(one));
     sheet.areTreesListed = !trees.empty();
     sheet.headline = describeSum(sheet, rows, sunlitMin, view);
 }
@@ -276,7 +281,8 @@ ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& 
         sheet.rows.push_back({nameOf(one.name, one.id),
                               recordedBuilding(after, one.id),
                               0,
-                              {0, mean, sum.sumMin * one.impact.grid.cellAreaM2() / minutesPerHour}});
+                              {0, mean, sum.sumMin * one.impact.grid.cellAreaM2() / minutesPerHour},
+                              {}});
     }
     shareOut(sheet);
     const CellChanges all = sumUpChanges(answer.study.total, place);

@@ -6,6 +6,7 @@
 
 #include <QString>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/describe/shown_as.h"
@@ -29,6 +30,7 @@ struct ContributionRow {
     std::shared_ptr<const Building> building;  ///< null: a tree, or the terrain
     double share = 0;                          ///< of all that is listed, 0 to 1: its colour on the map
     std::vector<double> values;                ///< by column
+    std::string tree;                          ///< Tree::sourceId; empty: no tree
 };
 
 /// What the dock shows of a region or place.

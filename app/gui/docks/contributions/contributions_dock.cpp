@@ -43,14 +43,15 @@ void ContributionModel::show(ContributionSheet sheet) {
     endResetModel();
 }
 
-const std::shared_ptr<const Building>& ContributionModel::buildingOf(int row) const {
-    return sheet_.rows[std::size_t(row)].building;
-}
-
 int ContributionModel::rowOf(const Building* building) const {
     const auto found = std::ranges::find(sheet_.rows, building,
                                          [](const ContributionRow& row) { return row.building.get(); });
     return building == nullptr || found == sheet_.rows.end() ? -1 : int(found - sheet_.rows.begin());
+}
+
+int ContributionModel::rowOfTree(const std::string& id) const {
+    const auto found = std::ranges::find(sheet_.rows, id, &ContributionRow::tree);
+    return id.empty() || found == sheet_.rows.end() ? -1 : int(found - sheet_.rows.begin());
 }
 
 int ContributionModel::rowCount(const QModelIndex& parent) const {
@@ -220,16 +221,15 @@ void ContributionsDock::connectFields() {
         legend_->setVisible(on);
         Q_EMIT coloursChanged();
     });
-    const auto buildingAt = [this](const QModelIndex& index) {
-        return index.isValid() ? model_->buildingOf(sorted_->mapToSource(index).row()) : nullptr;
+    const auto rowAt = [this](const QModelIndex& index) {
+        return model_->sheet().rows[std::size_t(sorted_->mapToSource(index).row())];
     };
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            [this, buildingAt](const QModelIndex& index) {
-                if (const auto building = buildingAt(index)) Q_EMIT highlighted(building);
+            [this, rowAt](const QModelIndex& index) {
+                if (index.isValid()) Q_EMIT highlighted(rowAt(index));
             });
-    connect(table_, &QTableView::activated, this, [this, buildingAt](const QModelIndex& index) {
-        if (const auto building = buildingAt(index)) Q_EMIT goToRequested(building);
-    });
+    connect(table_, &QTableView::activated, this,
+            [this, rowAt](const QModelIndex& index) { Q_EMIT goToRequested(rowAt(index)); });
 }
 
 void ContributionsDock::chooseSubject(const QString& text) {
@@ -280,9 +280,12 @@ void ContributionsDock::explain(const QString& why, bool offer, const Bars& mont
     attribute_->setVisible(offer);
 }
 
-void ContributionsDock::select(const Building* building) {
+void ContributionsDock::select(const Building* building) { selectRow(model_->rowOf(building)); }
+
+void ContributionsDock::selectTree(const std::string& id) { selectRow(model_->rowOfTree(id)); }
+
+void ContributionsDock::selectRow(int row) {
     const QSignalBlocker quiet(this);
-    const int row = model_->rowOf(building);
     if (row < 0) return table_->clearSelection();
     const QModelIndex index = sorted_->mapFromSource(model_->index(row, 0));
     table_->selectRow(index.row());

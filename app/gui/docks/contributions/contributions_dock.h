@@ -26,8 +26,8 @@ public:
 
     void show(ContributionSheet sheet);
     [[nodiscard]] const ContributionSheet& sheet() const { return sheet_; }
-    [[nodiscard]] const std::shared_ptr<const Building>& buildingOf(int row) const;  ///< null: none
-    [[nodiscard]] int rowOf(const Building* building) const;                         ///< -1: not in the table
+    [[nodiscard]] int rowOf(const Building* building) const;   ///< -1: not in the table
+    [[nodiscard]] int rowOfTree(const std::string& id) const;  ///< likewise
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -58,8 +58,9 @@ public:
     /// subject's shadow.
     void explain(const QString& why, bool offer = false, const Bars& months = {});
     [[nodiscard]] const ContributionModel& model() const { return *model_; }
-    /// Selects the row of a building, if it has one; without a signal. Null: none.
-    void select(const Building* building);
+    /// Selects the row of a building, or of a tree by its id, if it has one; without a signal.
+    void select(const Building* building);  ///< null: none
+    void selectTree(const std::string& id);
     [[nodiscard]] bool colours() const;  ///< the buildings are to be coloured in the view
     /// Not behind another tab, where Qt still takes it for visible.
     [[nodiscard]] bool isInFront() const { return inFront_ && isVisible(); }
@@ -68,10 +69,10 @@ public:
 
 Q_SIGNALS:
     void exportRequested();
-    void subjectChosen(const std::string& place);                            ///< empty: the whole region
-    void attributionRequested();                                             ///< the button of explain()
-    void highlighted(std::shared_ptr<const noonmark::Building> building);    ///< the current row
-    void goToRequested(std::shared_ptr<const noonmark::Building> building);  ///< double click or Enter
+    void subjectChosen(const std::string& place);       ///< empty: the whole region
+    void attributionRequested();                        ///< the button of explain()
+    void highlighted(noonmark::ContributionRow row);    ///< the current one
+    void goToRequested(noonmark::ContributionRow row);  ///< double click or Enter
     void coloursChanged();
     void shownChanged();  ///< the dock was shown or hidden
 
@@ -85,6 +86,7 @@ private:
     void placeFields();
     void connectFields();
     void chooseSubject(const QString& text);
+    void selectRow(int row);
     [[nodiscard]] QWidget* makeLegend();
 
     std::string subject_;

@@ -24,6 +24,7 @@
 #include "app/gui/docks/point/point_inspector.h"
 #include "app/report/skyline/skyline_svg.h"
 #include "core/io/files/write_text.h"
+#include "core/measures/shadow_figures.h"
 #include "core/study/text/point_text.h"
 
 namespace noonmark {
@@ -113,11 +114,37 @@ std::string chosenIn(const QComboBox& list) {
     return list.currentIndex() <= 0 ? std::string() : list.currentData().toString().toStdString();
 }
 
-QStringList textsOf(const PointCaseFigures& figures, double firstYearMin, bool wall) {
-    const double change = (figures.yearMin - firstYearMin) / 60;
-    return {scenarioName(figures.name),           groupDigits(figures.dayMin, 0),
-            groupDigits(figures.yearMin / 60, 0), withPlus(change, groupDigits(change, 1)),
-            groupDigits(figures.skyView, 3),      wall ? groupDigits(figures.skyComponentPct, 1) : QString()};
+// The first line of a scenario has its name, further ones which trees they count.
+QStringList textsOf(const std::string& scenario, const PointCaseLine& line, bool wall) {
+    const PointCaseShade& shade = line.shade;
+    const double change = line.changeMin / 60;
+    return {shade.column == TreeColumns::without
+                ? scenarioName(scenario)
+                : QStringLiteral("    ") + translated(describeTrees(shade.column)),
+            groupDigits(shade.dayMin, 0),
+            groupDigits(shade.yearMin / 60, 0),
+            withPlus(change, groupDigits(change, 1)),
+            groupDigits(shade.skyView, 3),
+            wall ? groupDigits(shade.skyComponentPct, 1) : QString()};
+}
+
+/// A row of the table: its texts, or a name and why the point is not measured there.
+struct CaseRow {
+    QStringList texts;
+    bool isMeasured = true;
+};
+
+std::vector<CaseRow> rowsOf(const std::vector<PointCaseFigures>& cases, bool wall) {
+    std::vector<CaseRow> rows;
+    for (const PointCaseFigures& one : cases) {
+        if (!one.why.empty()) {
+            rows.push_back({{scenarioName(one.name), QString::fromStdString(one.why)}, false});
+            continue;
+        }
+        for (const PointCaseLine& line : listCaseLines(one, cases.front()))
+            rows.push_back({textsOf(one.name, line, wall)});
+    }
+    return rows;
 }
 
 }  // namespace
@@ -139,8 +166,8 @@ void PointScenarios::makeFields() {
     table_ = new QTableWidget(0, columnCount);
     table_->setObjectName(QStringLiteral("pointScenarios"));
     table_->setToolTip(
-        tr("The point's sun and sky in every scenario of the project, without trees. Copy (Ctrl+C) takes "
-           "the table"));
+        tr("The point's sun and sky in every scenario of the project, without trees where a row says nothing "
+           "else. Copy (Ctrl+C) takes the table"));
     table_->setHorizontalHeaderLabels(
         {tr("Scenario"), tr("Day, min"), tr("Year, h"), tr("Change, h"), tr("Sky view"), tr("VSC, %")});
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -168,23 +195,20 @@ void PointScenarios::choose() { inspector_.compare({chosenIn(*from_), chosenIn(*
 
 void PointScenarios::showTable() {
     const auto answer = inspector_.answer();
-    const std::vector<PointCaseFigures> cases = answer ? answer->cases : std::vector<PointCaseFigures>();
+    const std::vector<CaseRow> cases =
+        answer ? rowsOf(answer->cases, answer->study.question.facingDeg.has_value()) : std::vector<CaseRow>();
     table_->setVisible(!cases.empty());
     table_->clearSpans();
     table_->setRowCount(int(cases.size()));
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        const bool measured = cases[i].why.empty();
-        const QStringList texts =
-            measured
-                ? textsOf(cases[i], cases.front().yearMin, answer->study.question.facingDeg.has_value())
-                : QStringList{QString::fromStdString(cases[i].name), QString::fromStdString(cases[i].why)};
+        const auto& [texts, isMeasured] = cases[i];
         for (int column = 0; column < columnCount; ++column) {
             auto* item = new QTableWidgetItem(texts.value(column));
-            if (measured && column > scenarioColumn)
+            if (isMeasured && column > scenarioColumn)
                 item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             table_->setItem(int(i), column, item);
         }
-        if (!measured) table_->setSpan(int(i), dayColumn, 1, columnCount - 1);
+        if (!isMeasured) table_->setSpan(int(i), dayColumn, 1, columnCount - 1);
     }
     table_->resizeColumnsToContents();
     const int rows = table_->verticalHeader()->defaultSectionSize() * std::min(8, table_->rowCount());
@@ -227,16 +251,33 @@ QString figuresOf(const PointView& view, const PointStudy& study, const Zone& zo
                        .arg(groupDigits(lit / 60, 0))
                        .arg(groupDigits(study.possibleMin / 60, 0))
                        .arg(groupDigits(view.factors.skyView, 3));
-    if (view.crowns) {
-        text += PointDock::tr("\nWith trees: %1").arg(treesOf(*view.crowns));
-        if (const std::string taken = takenText(*view.crowns); !taken.empty())
-            text += PointDock::tr("\nTaken by trees: %1").arg(localiseNumbers(QString::fromStdString(taken)));
-    }
+    if (view.crowns) text += PointDock::tr("\nWith trees: %1").arg(treesOf(*view.crowns));
     if (study.question.facingDeg)
         text +=
             PointDock::tr("\nVertical sky component: %1 %").arg(groupDigits(view.factors.skyComponentPct, 1));
     if (view.crowns) text += skyWithTrees(*view.crowns, study.question.facingDeg.has_value());
     return text;
+}
+
+// Rich text: each name leads to its tree. Empty: none takes any.
+QString takenByTrees(const PointCrowns& crowns) {
+    constexpr std::size_t maximum = 5;
+    const std::vector<TreeMinutes> trees = listTakenByTree(crowns);
+    if (trees.empty()) return {};
+    QStringList lines{PointDock::tr("Trees that take most sun, with their seasons:")};
+    for (std::size_t i = 0; i < std::min(maximum, trees.size()); ++i) {
+        const Tree& tree = crowns.trees->trees[trees[i].tree];
+        const QString id = QString::fromStdString(tree.sourceId);
+        const QString name = tree.species.empty()
+                                 ? id
+                                 : QStringLiteral("%1 (%2)").arg(QString::fromStdString(tree.species), id);
+        lines << PointDock::tr("%1: %2 min on the day, %3 h in the year", "a tree, and the sun it takes")
+                     .arg(makeLink(id, name), groupDigits(trees[i].daySeasonal, 0),
+                          groupDigits(trees[i].yearSeasonal / 60, 1));
+    }
+    if (const std::size_t more = trees.size() - std::min(maximum, trees.size()); more > 0)
+        lines << PointDock::tr("and %1 more tree(s)", "", pluralNumber(more)).arg(formatCount(more));
+    return lines.join(QStringLiteral("<br>"));
 }
 
 QLabel* makeText() {
@@ -254,6 +295,7 @@ PointDock::PointDock(PointInspector& inspector, QWidget* parent)
       inspector_(inspector),
       sentence_(makeText()),
       figures_(makeText()),
+      taken_(makeText()),
       save_(new QPushButton(tr("Save..."))),
       picture_(new SkyPicture),
       scroll_(new QScrollArea) {
@@ -263,6 +305,10 @@ PointDock::PointDock(PointInspector& inspector, QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->addWidget(makeSide());
     row->addWidget(scroll_, 1);
+    taken_->setObjectName(QStringLiteral("takenByTrees"));
+    taken_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    taken_->hide();
+    connect(taken_, &QLabel::linkActivated, this, &PointDock::treeRequested);
     connect(save_, &QPushButton::clicked, this, &PointDock::saveRequested);
     connect(&inspector_, &PointInspector::changed, this, &PointDock::showAnswer);
     connect(&inspector_, &PointInspector::failed, this, &PointDock::showError);
@@ -276,6 +322,7 @@ QWidget* PointDock::makeSide() {
     auto* texts = new QVBoxLayout(side);
     texts->addWidget(sentence_);
     texts->addWidget(figures_);
+    texts->addWidget(taken_);
     texts->addWidget(new PointScenarios(inspector_));
     texts->addWidget(save_, 0, Qt::AlignLeft);
     texts->addStretch();
@@ -302,6 +349,7 @@ void PointDock::showAnswer() {
     save_->setVisible(answer != nullptr);
     picture_->setDrawing(answer ? answer->drawing : QByteArray());
     figures_->clear();
+    taken_->hide();
     sentence_->setText(tr("Right-click the ground, a roof or a wall and choose Sun and sky here."));
     if (!answer) return;
     sentence_->setText(answer->sentence);
@@ -313,6 +361,9 @@ void PointDock::showAnswer() {
                       .arg(QString::fromStdString(answer->from), figures, QString::fromStdString(answer->to),
                            figuresOf(*answer->study.scenario, answer->study, *zone));
     figures_->setText(figures);
+    const PointView& shown = answer->study.scenario ? *answer->study.scenario : answer->study.baseline;
+    taken_->setText(shown.crowns ? takenByTrees(*shown.crowns) : QString());
+    taken_->setVisible(!taken_->text().isEmpty());
 }
 
 void PointDock::showError(const Error& error) { sentence_->setText(describeError(error)); }

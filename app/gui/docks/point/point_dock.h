@@ -48,6 +48,7 @@ public:
 
 Q_SIGNALS:
     void saveRequested();
+    void treeRequested(const QString& id);  ///< one of those that take sun from the point
 
 private:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -60,6 +61,7 @@ private:
     PointInspector& inspector_;
     QLabel* sentence_;
     QLabel* figures_;
+    QLabel* taken_;  ///< the trees that take sun
     QPushButton* save_;
     SkyPicture* picture_;
     QScrollArea* scroll_;

@@ -15,6 +15,7 @@
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/bar_charts.h"
 #include "core/measures/shadow_figures.h"
@@ -58,27 +59,6 @@ QLabel* rowLabel(const QString& text, const QString& meaning) {
     label->setToolTip(meaning);
     label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     return label;
-}
-
-// No QFormLayout: in 6.4 it gives wrapped text too little height below another layout.
-void fillRows(QWidget& widget, const std::vector<ResultRow>& rows, bool ofMethod) {
-    qDeleteAll(widget.findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
-    delete widget.layout();
-    auto* grid = new QGridLayout(&widget);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setColumnStretch(1, 1);
-    for (const ResultRow& row : rows) {
-        if (row.isMethod != ofMethod) continue;
-        QLabel* value = rowLabel(keepUnits(row.value), row.meaning);
-        value->setWordWrap(true);
-        value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        const int at = grid->rowCount();
-        QLabel* name = rowLabel(row.name, row.meaning);
-        name->setWordWrap(true);
-        name->setMinimumWidth(std::min(name->fontMetrics().horizontalAdvance(row.name) + 2, maxNamePx));
-        grid->addWidget(name, at, 0);
-        grid->addWidget(value, at, 1);
-    }
 }
 
 void follow(QPushButton& button, QAction* action) {
@@ -213,14 +193,39 @@ void ResultsDock::show(const AnswerPage& page, const std::vector<ResultRow>& row
     headline_->setText(keepUnits(sentenceText(page.headline)));
     findings_->setText(keepUnits(findings.join(QLatin1Char(' '))));
     charts_->show(page.charts);
-    fillRows(*figures_, rows, false);
-    fillRows(*method_, rows, true);
+    fillRows(*figures_, false);
+    fillRows(*method_, true);
     sections_->setVisible(filled_ && sections_->layout()->count() > 0);
     foot_->setVisible(filled_);
     showMethod();
     setNote({});
     showBackButton(false, false);
     for (QPushButton* button : {allPlaces_, shadedBy_}) button->hide();
+}
+
+// No QFormLayout: in 6.4 it gives wrapped text too little height below another layout.
+void ResultsDock::fillRows(QWidget& widget, bool ofMethod) {
+    qDeleteAll(widget.findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
+    delete widget.layout();
+    auto* grid = new QGridLayout(&widget);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setColumnStretch(1, 1);
+    for (const ResultRow& row : rows_) {
+        if (row.isMethod != ofMethod) continue;
+        QLabel* value = rowLabel(keepUnits(row.value), row.meaning);
+        value->setWordWrap(true);
+        value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        const int at = grid->rowCount();
+        QLabel* name = rowLabel(row.name, row.meaning);
+        name->setWordWrap(true);
+        name->setMinimumWidth(std::min(name->fontMetrics().horizontalAdvance(row.name) + 2, maxNamePx));
+        if (!row.subject.isEmpty()) {
+            name->setText(makeLink(row.subject, row.name));
+            connect(name, &QLabel::linkActivated, this, &ResultsDock::subjectRequested);
+        }
+        grid->addWidget(name, at, 0);
+        grid->addWidget(value, at, 1);
+    }
 }
 
 void ResultsDock::showMethod() {

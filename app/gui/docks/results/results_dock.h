@@ -58,6 +58,7 @@ Q_SIGNALS:
     void warningsRequested();  ///< their list
     void allPlacesRequested();
     void contributorsRequested();
+    void subjectRequested(const QString& id);  ///< of a building or tree that a row is about
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -65,6 +66,7 @@ protected:
 private:
     void placeContent();
     void placeFoot();
+    void fillRows(QWidget& widget, bool ofMethod);
     void showMethod();
     void fitLabels();
     void setFaded(bool faded);

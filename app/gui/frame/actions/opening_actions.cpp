@@ -238,7 +238,7 @@ void OpeningActions::takeProject() {
 QStringList OpeningActions::describeGuesses() const {
     const CityRead& city = workbench_.city()->loaded.read;
     QStringList lines;
-    for (const Sentence& sentence : describeHeights(countHeights(city.city), city.heights))
+    for (const Sentence& sentence : describeHeights(city.city, city.heights))
         lines << sentenceText(sentence) + u'.';
     return lines;
 }

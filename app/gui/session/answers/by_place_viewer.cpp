@@ -99,12 +99,14 @@ ResultRow placeFigureRow(const Figure& figure, const SunOfPlace& of, const SunOr
 
 ResultRow contributorRow(const Contribution& one) {
     const QString shown = QString::fromStdString(nameOf(one));
-    return {one.id == terrainId ? QObject::tr("Terrain")
-            : one.isTree        ? QObject::tr("Tree %1", "its species or number").arg(shown)
-                                : shown,
-            QObject::tr("takes %1 min of sun a day, %2 % of its shadow")
-                .arg(formatAmount(one.attributedMin), formatAmount(100 * one.share)),
-            translatedSentence(attributedDefinition())};
+    const bool isTerrain = one.id == terrainId;
+    return {.name = isTerrain    ? QObject::tr("Terrain")
+                    : one.isTree ? QObject::tr("Tree %1", "its species or number").arg(shown)
+                                 : shown,
+            .value = QObject::tr("takes %1 min of sun a day, %2 % of its shadow")
+                         .arg(formatAmount(one.attributedMin), formatAmount(100 * one.share)),
+            .meaning = translatedSentence(attributedDefinition()),
+            .subject = isTerrain ? QString() : QString::fromStdString(one.id)};
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ struct ResultRow {
     QString value;
     QString meaning;
     bool isMethod = false;  ///< how the result was made, not what it is
+    QString subject{};      ///< id of the building or tree that its name leads to; empty: none
 };
 
 /// A row about how a result was made: period, steps, engine, error, time.

@@ -2,21 +2,26 @@
 
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpressionValidator>
 #include <QSignalBlocker>
+#include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
 #include "app/gui/base/widgets/buttons.h"
+#include "app/gui/base/widgets/cursor_label.h"
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/field_rows.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/number_text.h"
+#include "app/gui/session/study/region_text.h"
 #include "core/engines/api/tree_shade.h"
 #include "render/scene/crown_bodies.h"
 #include "scenarios/edits/tree_edits.h"
@@ -52,6 +57,45 @@ TreeFacts factsOf(const Tree& tree) {
             .leafOffDay = tree.leafOffDay};
 }
 
+constexpr std::size_t maxFigures = 6;  // rows: the region and the places that change most
+
+QTableWidget* makeFigureTable() {
+    auto* table = new QTableWidget(0, 3);
+    table->setObjectName(QStringLiteral("treeFigures"));
+    table->setToolTip(
+        TreePanel::tr("With trees, in the mean over the cells, while trees are dragged or planted: the "
+                      "region of the study and the places that change most"));
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setSelectionMode(QAbstractItemView::NoSelection);
+    table->setFocusPolicy(Qt::NoFocus);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + 6);
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    table->hide();
+    return table;
+}
+
+// Place, minutes, and their change, which may be small: a tree shades little of a region.
+QStringList textsOf(const LivePlaceShade& shade, bool isSun, double sunlitMin) {
+    QString name = shade.name.empty() ? TreePanel::tr("Whole region") : placeName(shade.name);
+    if (!shade.whole) name += QObject::tr(" (of the part that is measured)");
+    const double change = (isSun ? -1 : 1) * (shade.nowMin - shade.beforeMin);
+    return {name, groupDigits(isSun ? sunlitMin - shade.nowMin : shade.nowMin, 1),
+            withPlus(change, std::abs(change) < 1 ? formatShort(change, 2) : groupDigits(change, 1))};
+}
+
+// The region, and the places whose change is more than rounding.
+std::vector<LivePlaceShade> listChanged(const std::vector<LivePlaceShade>& figures) {
+    constexpr double leastMin = 0.005;
+    std::vector<LivePlaceShade> changed;
+    for (const LivePlaceShade& one : figures)
+        if (changed.size() < maxFigures &&
+            (one.name.empty() || std::abs(one.nowMin - one.beforeMin) >= leastMin))
+            changed.push_back(one);
+    return changed;
+}
+
 /// "04-15". What is no day is cleared when the field is left.
 class DayOfYear final : public QRegularExpressionValidator {
 public:
@@ -81,7 +125,8 @@ TreePanel::TreePanel(QWidget* parent)
                        tr("The chosen trees after these years; all of the city if none is chosen"))),
       read_(pushButton(tr("Read trees of a file..."), "readTrees",
                        tr("Adds an inventory, OpenStreetMap or a raster of canopy heights to the existing "
-                          "city"))) {
+                          "city"))),
+      figures_(makeFigureTable()) {
     chosen_->setObjectName(QStringLiteral("chosenTrees"));
     chosen_->setWordWrap(true);
     for (QPushButton* button : {plant_, row_}) button->setCheckable(true);
@@ -118,6 +163,7 @@ void TreePanel::placeFields() {
     form->addRow(tr("Spacing"), spacing_);
     auto* column = new QVBoxLayout(this);
     column->addWidget(chosen_);
+    column->addWidget(figures_);
     column->addLayout(form);
     column->addWidget(widgetRow({plant_, row_}));
     column->addWidget(widgetRow({replace_, fell_}));
@@ -145,6 +191,25 @@ void TreePanel::showChosen(const std::vector<Tree>& chosen, std::size_t all) {
 void TreePanel::showPlanting(Planting planting) {
     plant_->setChecked(planting == Planting::single);
     row_->setChecked(planting == Planting::row);
+}
+
+void TreePanel::showFigures(const std::vector<LivePlaceShade>& all, ShownAs show, double sunlitMin) {
+    const bool isSun = show != ShownAs::shadow;
+    const std::vector<LivePlaceShade> figures = listChanged(all);
+    figures_->setHorizontalHeaderLabels(
+        {tr("Place"), isSun ? tr("Sun, min a day") : tr("Shadow, min a day"), tr("Change")});
+    figures_->setRowCount(int(figures.size()));
+    for (int i = 0; i < figures_->rowCount(); ++i) {
+        const QStringList texts = textsOf(figures[std::size_t(i)], isSun, sunlitMin);
+        for (int column = 0; column < texts.size(); ++column) {
+            auto* item = new QTableWidgetItem(texts[column]);
+            if (column > 0) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            figures_->setItem(i, column, item);
+        }
+    }
+    figures_->setFixedHeight(figures_->horizontalHeader()->sizeHint().height() + 4 +
+                             figures_->rowCount() * figures_->verticalHeader()->defaultSectionSize());
+    figures_->setVisible(!figures.empty());
 }
 
 TreeFacts TreePanel::facts() const {
@@ -185,6 +250,7 @@ void TreeEditing::cityChanged() {
     for (const Tree& tree : chosenTrees()) there.insert(tree.sourceId);
     ids_ = std::move(there);
     if (std::exchange(grabbed_, std::nullopt)) endDrag();
+    endPlanting();
     movedM_ = {0, 0};
     show();
 }
@@ -193,6 +259,7 @@ void TreeEditing::plant(TreePanel::Planting planting) {
     planting_ = context_.city ? planting : TreePanel::Planting::none;
     corners_.clear();
     cursor_.reset();
+    endPlanting();
     if (isPlanting()) {
         ids_.clear();
         context_.panel.view().requestActivate();  // the view receives the keys that end it
@@ -256,6 +323,28 @@ void TreeEditing::hover(QPointF pixel) {
     if (!isPlanting()) return;
     cursor_ = groundAt(pixel);
     show();
+    followPlanting();
+}
+
+// Where the map of a study is shown. Another species or height in the panel is another tree.
+void TreeEditing::followPlanting() {
+    const std::vector<Tree> planned = plannedTrees();
+    if (planned.empty() || planned.size() > LiveTreeShade::maxMoved) return endPlanting();
+    Tree tree = planned.front();
+    tree.place = {};
+    if (tree != plantedAs_) {
+        endPlanting();
+        if (!isStudyShown()) return;
+        plantedAs_ = tree;
+        live_.begin(context_.study, {.moved = {}, .planted = tree}, context_.preview.places());
+    }
+    HandledPlaces places;
+    for (const Tree& one : planned) places.planted.push_back(one.place);
+    live_.follow(std::move(places));
+}
+
+void TreeEditing::endPlanting() {
+    if (std::exchange(plantedAs_, std::nullopt)) stopLive();
 }
 
 bool TreeEditing::key(int key) {
@@ -264,6 +353,18 @@ bool TreeEditing::key(int key) {
     if (key != Qt::Key_Delete || ids_.empty()) return false;
     fell();
     return true;
+}
+
+std::optional<Tree> TreeEditing::findTree(const std::string& id) const {
+    if (!trees()) return std::nullopt;
+    const auto found = std::ranges::find(trees()->trees, id, &Tree::sourceId);
+    return found == trees()->trees.end() ? std::nullopt : std::optional(*found);
+}
+
+void TreeEditing::choose(const std::string& id) {
+    if (!findTree(id)) return;
+    ids_ = {id};
+    plant(TreePanel::Planting::none);
 }
 
 void TreeEditing::chooseNone() {
@@ -287,10 +388,15 @@ bool TreeEditing::grab(QPointF pixel) {
     return grabbed_.has_value();
 }
 
+bool TreeEditing::isStudyShown() const {
+    return context_.study && context_.panel.results().showsAnswer() &&
+           context_.study->settings.trees != TreeColumns::without;
+}
+
 // A map of minutes follows where that of a study is shown, the shade of a moment where rays draw the view.
 void TreeEditing::beginDrag() {
-    const bool isStudyShown = context_.study && context_.panel.results().showsAnswer();
-    if (isStudyShown && context_.study->field.trees) live_.begin(context_.study, ids_);
+    if (isStudyShown())
+        live_.begin(context_.study, {.moved = ids_, .planted = {}}, context_.preview.places());
     if (!context_.city->crowns) return;
     Trees others = *trees();
     std::erase_if(others.trees, [this](const Tree& tree) { return ids_.contains(tree.sourceId); });
@@ -322,22 +428,29 @@ void TreeEditing::showDraggedShade() {
 }
 
 void TreeEditing::showLive() {
-    if (!grabbed_ || !live_.field()) return;
+    if (!(grabbed_ || plantedAs_) || !live_.field()) return;
     const std::shared_ptr<const Study> study = live_.study();
-    const QString columns = study->field.trees->seasonal ? tr("With trees and their seasons, while they move")
-                                                         : tr("With trees as evergreens, while they move");
+    const QString columns = live_.isSeasonal() ? tr("With trees and their seasons, while they move")
+                                               : tr("With trees as evergreens, while they move");
     context_.panel.results().setLive(
         GroundAnswer{.map = live_.field(),
                      .receivers = std::shared_ptr<const Receivers>(study, &study->receivers),
                      .note = columns,
                      .grossOnly = true});
+    panel_.showFigures(live_.figures(), context_.panel.legend().choice().show,
+                       study->field.sunlitMinutesPerDay);
+}
+
+void TreeEditing::stopLive() {
+    live_.end();
+    context_.panel.results().setLive(std::nullopt);
+    panel_.showFigures({}, ShownAs::shadow, 0);
 }
 
 // The city with the trees where they were dropped follows; where it does not, they are where they were.
 void TreeEditing::endDrag() {
-    live_.end();
+    stopLive();
     finding_.drop();
-    context_.panel.results().setLive(std::nullopt);
     if (std::exchange(others_, nullptr))
         context_.panel.view().showTrees(context_.city->city().trees, context_.city->crowns);
 }
@@ -347,7 +460,7 @@ void TreeEditing::dragTo(QPointF pixel) {
     if (!grabbed_ || !ground) return;
     movedM_ = *ground - *grabbed_;
     show();
-    live_.follow(movedM_);
+    live_.follow({.byM = movedM_, .planted = {}});
     showDraggedShade();
 }
 

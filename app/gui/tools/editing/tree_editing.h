@@ -6,11 +6,13 @@
 #include "app/gui/tools/live/live_trees.h"
 #include "app/gui/tools/preview/edit_context.h"
 #include "core/city/trees/tree_facts.h"
+#include "core/describe/shown_as.h"
 #include "scenarios/edits/edit.h"
 
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
+class QTableWidget;
 
 namespace noonmark {
 
@@ -26,6 +28,9 @@ public:
     void showChosen(const std::vector<Tree>& chosen, std::size_t all);
     enum class Planting { none, single, row };
     void showPlanting(Planting planting);
+    /// The shadow, or the sun, of the region and of places while trees are dragged or planted; none: hidden.
+    /// `sunlitMin`: a day without shadow.
+    void showFigures(const std::vector<LivePlaceShade>& all, ShownAs show, double sunlitMin);
     [[nodiscard]] TreeFacts facts() const;
     [[nodiscard]] double spacingM() const;  ///< of a row
     [[nodiscard]] double years() const;     ///< of growth
@@ -45,6 +50,7 @@ private:
     QDoubleSpinBox* spacing_;
     QDoubleSpinBox* years_;
     QPushButton *plant_, *row_, *replace_, *fell_, *grow_, *read_;
+    QTableWidget* figures_;
 };
 
 /// Plants, chooses, moves, replaces and fells trees in the view: a click chooses a tree, Ctrl adds more, a
@@ -61,8 +67,11 @@ public:
     /// Whether the click was for a tree.
     bool click(QPointF pixel);
     void hover(QPointF pixel);
-    bool key(int key);  ///< false: it means nothing here
+    bool key(int key);                   ///< false: it means nothing here
+    void choose(const std::string& id);  ///< without a signal; nothing where no tree has it
     void chooseNone();
+    [[nodiscard]] const std::set<std::string>& chosenIds() const { return ids_; }
+    [[nodiscard]] std::optional<Tree> findTree(const std::string& id) const;
     bool cancel();  ///< what is being planted, else the choice; false: there is nothing
 
     bool grab(QPointF pixel) override;
@@ -81,6 +90,10 @@ public:
 private:
     void beginDrag();
     void endDrag();
+    void followPlanting();
+    void endPlanting();
+    void stopLive();
+    [[nodiscard]] bool isStudyShown() const;
     void showDraggedShade();
     void showLive();
     [[nodiscard]] const Trees* trees() const;
@@ -105,6 +118,7 @@ private:
     std::vector<glm::dvec2> corners_;  ///< of a row
     std::optional<glm::dvec2> cursor_;
     std::optional<glm::dvec2> grabbed_;
+    std::optional<Tree> plantedAs_;  ///< whose shade follows the cursor
     glm::dvec2 movedM_{0};
     LiveTrees live_;                           ///< on the map of the study
     std::shared_ptr<const CrownRays> others_;  ///< for the shade of a moment, without the dragged trees

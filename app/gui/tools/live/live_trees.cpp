@@ -116,10 +116,17 @@ double StandingCrowns::depth(glm::dvec3 origin, const WeightedSun& sun, const Le
 
 namespace {
 
+// Where no tree reaches a receiver, or the city has none, that is the shadow without trees.
 const ShadowField* findFieldWithTrees(const Study& study) {
     const auto& trees = study.field.trees;
-    if (!trees) return nullptr;
-    return trees->seasonal ? &*trees->seasonal : trees->evergreen ? &*trees->evergreen : nullptr;
+    if (trees && trees->seasonal) return &*trees->seasonal;
+    if (trees && trees->evergreen) return &*trees->evergreen;
+    return study.settings.trees == TreeColumns::without ? nullptr : &study.field;
+}
+
+bool measuresSeasons(const Study& study) {
+    return study.field.trees ? study.field.trees->seasonal.has_value()
+                             : study.settings.trees != TreeColumns::evergreen;
 }
 
 Error noLiveTrees(std::string why) {
@@ -137,38 +144,42 @@ LiveTreeShade::LiveTreeShade(std::shared_ptr<const Study> study, RayScene scene,
       seasons_(std::move(seasons)) {}
 
 Result<std::shared_ptr<LiveTreeShade>> LiveTreeShade::of(std::shared_ptr<const Study> study,
-                                                         const std::set<std::string>& moved,
+                                                         const HandledTrees& trees,
                                                          const std::stop_token& stop) {
-    if (moved.size() > maxMoved)
+    if (trees.moved.size() > maxMoved)
         return tl::make_unexpected(
             noLiveTrees(fmt::format("Drag up to {} trees, or measure again when they stand", maxMoved)));
     if (findFieldWithTrees(*study) == nullptr)
         return tl::make_unexpected(noLiveTrees("Measure a study with trees first"));
     const City& city = study->city;
+    const LeafDays leafDays = city.trees ? city.trees->leafDays : assumeLeafDays(city.frame.origin().latDeg);
     std::vector<Crown> others;
     std::vector<Tree> chosen;
-    LeafSeasons leafSeasons(city.trees->leafDays);
-    for (const Tree& tree : city.trees->trees) {
+    LeafSeasons leafSeasons(leafDays);
+    if (trees.planted) leafSeasons.add(*trees.planted);
+    for (const Tree& tree : city.trees ? city.trees->trees : std::vector<Tree>()) {
         const std::uint32_t season = leafSeasons.add(tree);
-        if (moved.contains(tree.sourceId)) {
+        if (trees.moved.contains(tree.sourceId)) {
             chosen.push_back(tree);
             continue;
         }
         others.push_back(makeCrown(tree));
         others.back().season = season;
     }
-    if (chosen.empty()) return tl::make_unexpected(noLiveTrees("The trees are not those of the study"));
+    if (chosen.empty() && !trees.planted)
+        return tl::make_unexpected(noLiveTrees("The trees are not those of the study"));
     const Receivers& receivers = study->receivers;
     auto scene = RayScene::over(city, findBuildingsInReach(city, receivers, study->sun), stop);
     if (!scene) return tl::make_unexpected(scene.error());
     std::shared_ptr<LiveTreeShade> live(
         new LiveTreeShade(study, *std::move(scene), others, std::move(leafSeasons)));
     live->moved_ = std::move(chosen);
-    const bool seasons = study->field.trees->seasonal.has_value();
+    live->planted_ = trees.planted;
+    live->seasonal_ = measuresSeasons(*study);
     const std::size_t maximum =
         std::min(maxPatches, maxPassBytes / std::max<std::size_t>(1, receivers.grid.size()));
     live->phases_ = findLeafPhases(live->seasons_, study->sun);
-    live->patches_ = findSuns(study->sun, seasons ? &city.trees->leafDays : nullptr, maximum, live->phases_);
+    live->patches_ = findSuns(study->sun, live->seasonal_ ? &leafDays : nullptr, maximum, live->phases_);
     if (live->patches_.size() > maximum)
         return tl::make_unexpected(noLiveTrees("Measure a smaller region, or larger cells"));
     live->passed_.assign(live->patches_.size() * receivers.grid.size(), unknownPass);
@@ -179,18 +190,21 @@ Result<std::shared_ptr<LiveTreeShade>> LiveTreeShade::of(std::shared_ptr<const S
         live->lowestM_ = std::min(live->lowestM_, z);
         live->highestM_ = std::max(live->highestM_, z);
     }
-    live->takenBefore_ = live->measure(live->crownsAt({0, 0}));
+    live->takenBefore_ = live->measure(live->crownsAt({}));
     return live;
 }
 
-std::vector<Crown> LiveTreeShade::crownsAt(glm::dvec2 byM) const {
+std::vector<Crown> LiveTreeShade::crownsAt(const HandledPlaces& places) const {
     std::vector<Crown> crowns;
-    for (Tree tree : moved_) {
-        tree.place += byM;
-        if (byM != glm::dvec2(0)) tree.groundM = float(groundAt(study_->city, tree.place));
+    const auto add = [&](Tree tree, glm::dvec2 place) {
+        if (tree.place != place) tree.groundM = float(groundAt(study_->city, place));
+        tree.place = place;
         crowns.push_back(makeCrown(tree));
         crowns.back().season = seasons_.of(tree);
-    }
+    };
+    for (const Tree& tree : moved_) add(tree, tree.place + places.byM);
+    if (planted_)
+        for (const glm::dvec2 place : places.planted) add(*planted_, place);
     return crowns;
 }
 
@@ -287,8 +301,8 @@ double LiveTreeShade::passOf(std::uint32_t cell, const WeightedSun& patch, std::
     return double(known) / passSteps;
 }
 
-ShadowField LiveTreeShade::with(glm::dvec2 byM) {
-    const std::vector<float> taken = measure(crownsAt(byM));
+ShadowField LiveTreeShade::with(const HandledPlaces& places) {
+    const std::vector<float> taken = measure(crownsAt(places));
     ShadowField field = *before_;
     for (const std::uint32_t cell : study_->receivers.cells)
         field.grossMin[cell] = std::clamp(field.grossMin[cell] + taken[cell] - takenBefore_[cell], 0.0F,
@@ -297,10 +311,41 @@ ShadowField LiveTreeShade::with(glm::dvec2 byM) {
     return field;
 }
 
-void LiveTrees::begin(std::shared_ptr<const Study> study, const std::set<std::string>& moved) {
+namespace {
+
+LivePlaceShade comparePlace(const GridPlace& place, const ShadowField& before, const ShadowField& now) {
+    LivePlaceShade shade{.name = place.name, .whole = place.whole};
+    for (const std::uint32_t cell : place.cells) {
+        shade.beforeMin += double(before.grossMin[cell]) / double(place.cells.size());
+        shade.nowMin += double(now.grossMin[cell]) / double(place.cells.size());
+    }
+    return shade;
+}
+
+std::vector<GridPlace> findReceiversOf(const std::vector<Place>& places, const Receivers& receivers) {
+    std::vector<GridPlace> found = findPlaceCells(places, receivers.grid);
+    for (GridPlace& place : found)
+        std::erase_if(place.cells, [&](std::uint32_t cell) { return !isReceiver(receivers.kind[cell]); });
+    std::erase_if(found, [](const GridPlace& place) { return place.cells.empty(); });
+    return found;
+}
+
+}  // namespace
+
+std::vector<LivePlaceShade> comparePlaces(const Receivers& receivers, const std::vector<GridPlace>& places,
+                                          const ShadowField& before, const ShadowField& now) {
+    std::vector<LivePlaceShade> shades{comparePlace({{}, receivers.cells}, before, now)};
+    for (const GridPlace& place : places) shades.push_back(comparePlace(place, before, now));
+    std::ranges::stable_sort(shades.begin() + 1, shades.end(), std::ranges::greater{},
+                             [](const LivePlaceShade& one) { return std::abs(one.nowMin - one.beforeMin); });
+    return shades;
+}
+
+void LiveTrees::begin(std::shared_ptr<const Study> study, HandledTrees trees, std::vector<Place> places) {
     end();
     study_ = std::move(study);
-    moved_ = moved;
+    trees_ = std::move(trees);
+    places_ = std::make_shared<const std::vector<Place>>(std::move(places));
     if (study_) ask();
 }
 
@@ -308,14 +353,16 @@ void LiveTrees::end() {
     slot_.drop();
     study_.reset();
     shade_.reset();
+    cells_.reset();
     field_.reset();
-    byM_ = {0, 0};
+    figures_.clear();
+    at_ = {};
     newer_ = false;
 }
 
-void LiveTrees::follow(glm::dvec2 byM) {
+void LiveTrees::follow(HandledPlaces places) {
     if (!study_) return;
-    byM_ = byM;
+    at_ = std::move(places);
     newer_ = true;
     if (!slot_.busy()) ask();
 }
@@ -324,12 +371,17 @@ void LiveTrees::ask() {
     newer_ = false;
     slot_.start<Followed>(
         tr("Live shade of trees"),
-        [study = study_, shade = shade_, moved = moved_, byM = byM_](
-            Progress&, const std::stop_token& stop) -> Result<Followed> {
+        [study = study_, shade = shade_, cells = cells_, places = places_, trees = trees_, at = at_](
+            Progress&, const std::stop_token& stop) mutable -> Result<Followed> {
             auto live =
-                shade ? Result<std::shared_ptr<LiveTreeShade>>(shade) : LiveTreeShade::of(study, moved, stop);
+                shade ? Result<std::shared_ptr<LiveTreeShade>>(shade) : LiveTreeShade::of(study, trees, stop);
             if (!live) return tl::make_unexpected(live.error());
-            return Followed{*live, std::make_shared<const ShadowField>((*live)->with(byM))};
+            const Receivers& receivers = study->receivers;
+            if (!cells)
+                cells = std::make_shared<const std::vector<GridPlace>>(findReceiversOf(*places, receivers));
+            auto field = std::make_shared<const ShadowField>((*live)->with(at));
+            auto figures = comparePlaces(receivers, *cells, (*live)->before(), *field);
+            return Followed{*std::move(live), std::move(cells), std::move(field), std::move(figures)};
         },
         [this](Result<Followed> followed) { take(std::move(followed)); });
 }
@@ -340,7 +392,9 @@ void LiveTrees::take(Result<Followed> followed) {
         return Q_EMIT failed(followed.error());
     }
     shade_ = std::move(followed->shade);
+    cells_ = std::move(followed->cells);
     field_ = std::move(followed->field);
+    figures_ = std::move(followed->figures);
     if (newer_) ask();
     Q_EMIT changed();
 }

@@ -13,12 +13,13 @@
 #include <vector>
 
 #include "app/gui/base/jobs/job.h"
+#include "app/gui/tools/live/live_change.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/engines/trees/crowns.h"
 #include "core/study/study.h"
 
-// The shade of trees while they are dragged, on the cells of a study: what it measured with trees, less what
-// the dragged ones took where they stood, and what they take where they are.
+// The shade of trees while they are dragged or planted, on the cells of a study: what it measured with trees,
+// less what the dragged ones took where they stood, and what they take where they are.
 namespace noonmark {
 
 /// Suns of a period that crowns take for one, and how many minutes a day they count in the mean.
@@ -48,6 +49,17 @@ private:
     double highestM_ = 0, widestM_ = 0;
 };
 
+/// Trees that follow the hand.
+struct HandledTrees {
+    std::set<std::string> moved;  ///< ids of those of the city that are dragged
+    std::optional<Tree> planted;  ///< the measures of those that are planted; its place means nothing
+};
+/// Where they are.
+struct HandledPlaces {
+    glm::dvec2 byM{0};                ///< of the dragged ones from their places
+    std::vector<glm::dvec2> planted;  ///< local metres
+};
+
 /// Not thread-safe.
 class LiveTreeShade {
 public:
@@ -55,23 +67,24 @@ public:
     static constexpr std::size_t maxPatches = 600;
     static constexpr std::size_t maxMoved = 200;
 
-    /// `study`: of a city with trees that reach its receivers. `moved`: ids of the trees that are dragged.
-    /// Error: none or too many of them, the study has no figures with trees, too little memory; cancelled().
-    /// Some 0.1 s for Midtown.
+    /// Error: none or too many trees are dragged, the study was asked for without trees, too little memory;
+    /// cancelled(). Some 0.1 s for Midtown.
     static Result<std::shared_ptr<LiveTreeShade>> of(std::shared_ptr<const Study> study,
-                                                     const std::set<std::string>& moved,
-                                                     const std::stop_token& stop);
+                                                     const HandledTrees& trees, const std::stop_token& stop);
 
-    /// Gross shadow with trees by their seasons (or as evergreens, as the study has it) where the trees stand
-    /// `byM` from their places. What was asked of the rest of the city is known the next time.
-    [[nodiscard]] ShadowField with(glm::dvec2 byM);
+    /// Gross shadow with trees by their seasons (or as evergreens, as the study has it). What was asked of
+    /// the rest of the city is known the next time.
+    [[nodiscard]] ShadowField with(const HandledPlaces& places);
+    /// The same of the study itself.
+    [[nodiscard]] const ShadowField& before() const { return *before_; }
+    [[nodiscard]] bool isSeasonal() const { return seasonal_; }
 
     [[nodiscard]] std::size_t patches() const { return patches_.size(); }
 
 private:
     LiveTreeShade(std::shared_ptr<const Study> study, RayScene scene, const std::vector<Crown>& others,
                   LeafSeasons seasons);
-    [[nodiscard]] std::vector<Crown> crownsAt(glm::dvec2 byM) const;
+    [[nodiscard]] std::vector<Crown> crownsAt(const HandledPlaces& places) const;
     /// Minutes a day by cell, of some of the patches; the others of its rows are 0.
     struct Sums {
         std::vector<float> minutes;
@@ -92,6 +105,8 @@ private:
     RayScene scene_;             // buildings and terrain
     StandingCrowns others_;
     std::vector<Tree> moved_;
+    std::optional<Tree> planted_;
+    bool seasonal_ = true;
     LeafSeasons seasons_;
     LeafPhases phases_;  // of the study's steps
     std::vector<WeightedSun> patches_;
@@ -101,18 +116,32 @@ private:
     std::vector<float> takenBefore_;    // by the moved trees where they stood, minutes a day
 };
 
-/// Keeps that shade up to date while trees are dragged: one place is computed at a time, in a job; of those
-/// that arrive meanwhile the newest is next.
+/// The shadow of a place with trees, minutes a day in the mean over its cells.
+struct LivePlaceShade {
+    std::string name;   ///< empty: the whole region
+    bool whole = true;  ///< false: only as far as the study reaches
+    double beforeMin = 0, nowMin = 0;
+};
+/// The region first, then the places, those that change most first. `places`: cells that are receivers.
+/// O(cells).
+std::vector<LivePlaceShade> comparePlaces(const Receivers& receivers, const std::vector<GridPlace>& places,
+                                          const ShadowField& before, const ShadowField& now);
+
+/// Keeps that shade up to date while trees are dragged or planted: one place is computed at a time, in a job;
+/// of those that arrive meanwhile the newest is next.
 class LiveTrees final : public QObject {
     Q_OBJECT
 public:
     explicit LiveTrees(QObject* parent = nullptr) : QObject(parent) {}
 
-    void begin(std::shared_ptr<const Study> study, const std::set<std::string>& moved);
-    void follow(glm::dvec2 byM);  ///< does nothing before begin()
+    void begin(std::shared_ptr<const Study> study, HandledTrees trees, std::vector<Place> places = {});
+    void follow(HandledPlaces places);  ///< does nothing before begin()
     void end();
 
     [[nodiscard]] std::shared_ptr<const ShadowField> field() const { return field_; }  ///< null: none yet
+    /// What that field says of the region and of the places.
+    [[nodiscard]] const std::vector<LivePlaceShade>& figures() const { return figures_; }
+    [[nodiscard]] bool isSeasonal() const { return shade_ && shade_->isSeasonal(); }
     [[nodiscard]] std::shared_ptr<const Study> study() const { return study_; }
     [[nodiscard]] JobSlot& working() { return slot_; }
 
@@ -123,16 +152,21 @@ Q_SIGNALS:
 private:
     struct Followed {
         std::shared_ptr<LiveTreeShade> shade;
+        std::shared_ptr<const std::vector<GridPlace>> cells;
         std::shared_ptr<const ShadowField> field;
+        std::vector<LivePlaceShade> figures;
     };
     void ask();
     void take(Result<Followed> followed);
 
     std::shared_ptr<const Study> study_;
-    std::set<std::string> moved_;
+    HandledTrees trees_;
+    std::shared_ptr<const std::vector<Place>> places_;
     std::shared_ptr<LiveTreeShade> shade_;
+    std::shared_ptr<const std::vector<GridPlace>> cells_;  // of the places
     std::shared_ptr<const ShadowField> field_;
-    glm::dvec2 byM_{0};
+    std::vector<LivePlaceShade> figures_;
+    HandledPlaces at_;
     bool newer_ = false;  // the place has changed since the running job began
     JobSlot slot_;
 };

@@ -31,6 +31,7 @@ public:
     void setCity(std::shared_ptr<const OpenCity> city);  ///< ends the preview
     void setQuestion(const LiveQuestion& question);
     [[nodiscard]] const Region& region() const { return question_.region; }  ///< of the study
+    [[nodiscard]] const std::vector<Place>& places() const { return question_.places; }
     /// The city that edits are compared with, and its scenario's name; null: none.
     void setBaseline(std::shared_ptr<const City> city, const std::string& scenario);
     /// Shows the change against the baseline instead of the shadow, without facades; at first it does not.

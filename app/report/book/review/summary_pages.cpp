@@ -57,8 +57,9 @@ QString extentText(const ReviewScene& scene) {
 TextBlocks introduction(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
     TextBlocks blocks;
-    if (const auto headline = makeAssumedHeadline(countHeights(scene.source.scenario)))
-        blocks.push_back(heading(QString::fromStdString(*headline)));
+    for (const GeometryHeadline& headline : listGeometryHeadlines(scene.source.scenario, {}))
+        if (headline.of != "heights of trees" || study.rule.occluders.trees != RuleTrees::without)
+            blocks.push_back(heading(QString::fromStdString(headline.text)));
     blocks.push_back(body(plainText(study.rule.summary)));
     blocks.push_back(body(QStringLiteral("Proposal: %1. Baseline: %2.")
                               .arg(plainText(scene.source.labels.to), plainText(scene.source.labels.from))));

@@ -11,6 +11,8 @@
 #include "core/io/heights/tree_fields.h"
 #include "core/io/read_city.h"
 #include "core/io/write_raster.h"
+#include "core/measures/shadow_figures.h"
+#include "core/study/study.h"
 #include "tests/core/io/cityjson_fixtures.h"
 #include "tests/core/io/footprint_files.h"
 #include "tests/core/io/terrain_files.h"
@@ -319,6 +321,37 @@ TEST(JoinTrees, CanopyThatIsReadAgainStaysOnceAndTreesStandBesideIt) {
     city.trees = joinTrees(canopy, city, 1000, warnings);
     EXPECT_EQ(city.trees->trees.size(), 3U);
     EXPECT_EQ(warnings.size(), 2U);
+}
+
+// The town's buildings end at 0.002 deg east; a tree 200 m beyond them stands and is part of their city.
+TEST_F(ReadTreesTest, TreesBeyondTheBuildingsAreUsed) {
+    NoProgress quiet;
+    const auto alone = readCity({folder_.file("town.osm", osmTown)}, {}, quiet, {});
+    ASSERT_TRUE(alone) << alone.error().text();
+    const Box2 box = bounds(alone->city);
+    const LonLat at = alone->city.frame.lonLatFromLocal(glm::dvec2(box.high) + 200.0);
+    const auto beyond =
+        folder_.file("beyond.csv", fmt::format("height,lat,lon\n30,{:.7f},{:.7f}\n", at.latDeg, at.lonDeg));
+    const auto read =
+        readCity({folder_.file("town.osm", osmTown)}, {.treeFiles = {beyond.string()}}, quiet, {});
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->city.trees->trees.size(), alone->city.trees->trees.size() + 1);
+    const Tree& tree = read->city.trees->trees.back();
+    EXPECT_NEAR(tree.place.x, double(box.high.x) + 200, 0.1);
+    // Its crown stands before the sun of a receiver beyond the buildings, too.
+    StudySettings settings;
+    settings.region = makeRegionFromLocalBox(
+        {glm::vec2(tree.place) + glm::vec2(-20, 0), glm::vec2(tree.place) + glm::vec2(20, 40)});
+    settings.receivers.cellM = 4;
+    settings.period.days = 1;
+    settings.period.stepMinutes = 30;
+    settings.errorSample.receivers = 0;
+    const auto study = runStudy(read->city, settings, quiet, {});
+    ASSERT_TRUE(study) << study.error().text();
+    ASSERT_TRUE(study->field.trees) << "it reaches them";
+    EXPECT_EQ(study->field.trees->treesUsed, 1U);
+    EXPECT_GT(computeStatistics(*study->field.trees->evergreen).meanGrossMin,
+              study->statistics.meanGrossMin + 1);
 }
 
 TEST_F(ReadTreesTest, AnInventoryJoinsTheTreesOfTheCity) {
