@@ -215,6 +215,7 @@ void join(FilePiece& all, FilePiece tile) {
         moveTo(all.roofs, tile.roofs);
         all.roofs.resize(all.buildings.size());
     }
+    moveTo(all.trees, tile.trees);
     moveTo(all.warnings, tile.warnings);
     moveTo(all.heights.fields, tile.heights.fields);
     moveTo(all.heights.unknown, tile.heights.unknown);
@@ -224,7 +225,10 @@ void join(FilePiece& all, FilePiece tile) {
     if (!all.frame) all.frame = tile.frame;
     if (tile.terrain && all.terrain)
         all.warnings.push_back({WarningKind::leftOut, "a second terrain in the archive", all.format});
-    if (!all.terrain) all.terrain = std::move(tile.terrain);
+    if (!all.terrain) {
+        all.terrain = std::move(tile.terrain);
+        all.unknownPosts = std::move(tile.unknownPosts);
+    }
     if (all.format.empty()) all.format = std::move(tile.format);
     if (all.crs.empty()) all.crs = std::move(tile.crs);
     if (all.attribution.empty()) all.attribution = std::move(tile.attribution);

@@ -146,6 +146,36 @@ TEST_F(ReadArchive, ShapefilesOfOneFolderAreLayersOfOneMap) {
     EXPECT_EQ(city->city.buildings.size(), 2273U) << "those that are there twice count once";
 }
 
+TEST_F(ReadArchive, TreesOfAMapComeWithIt) {
+    constexpr const char* street =
+        "<osm version='0.6'><node id='1' lat='40.75' lon='-73.98'/><node id='2' lat='40.75' lon='-73.9798'/>"
+        "<node id='3' lat='40.7502' lon='-73.98'/><node id='4' lat='40.7504' lon='-73.98'>"
+        "<tag k='natural' v='tree'/><tag k='height' v='12'/></node><way id='1'><nd ref='1'/><nd ref='2'/>"
+        "<nd ref='3'/><nd ref='1'/><tag k='building' v='yes'/><tag k='height' v='9'/></way></osm>";
+    const auto city = readBytes("street.osm.gz", gzipped(street, folder));
+    ASSERT_TRUE(city) << city.error().text();
+    ASSERT_TRUE(city->city.trees);
+    ASSERT_EQ(city->city.trees->trees.size(), 1U);
+    EXPECT_EQ(city->city.trees->trees[0].heightM, 12);
+}
+
+TEST_F(ReadArchive, HolesOfATerrainStayHoles) {
+    constexpr const char* grid =
+        "ncols 3\nnrows 3\nxllcorner -73.981\nyllcorner 40.7495\ncellsize 0.001\nNODATA_value -9999\n"
+        "12 12 12\n12 -9999 12\n12 12 12\n";
+    const auto readWith = [&](const std::filesystem::path& terrain) {
+        NoProgress quiet;
+        return readCity({folder.file("square.geojson", packedSquare), terrain}, {.crs = "EPSG:4326"}, quiet,
+                        {});
+    };
+    const auto plain = readWith(folder.file("dem.asc", grid));
+    ZipMaker zip;
+    zip.add("dem.asc", grid);
+    const auto packed = readWith(folder.file("dem.zip", zip.text()));
+    ASSERT_TRUE(plain && packed) << (plain ? packed : plain).error().text();
+    EXPECT_EQ(plain->warnings.size(), packed->warnings.size());
+}
+
 TEST_F(ReadArchive, SeveralFilesThatAreNoTilesAreNamed) {
     ZipMaker zip;
     zip.add("houses.geojson", packedSquare);
