@@ -159,21 +159,28 @@ TEST_F(ReadArchive, TreesOfAMapComeWithIt) {
     EXPECT_EQ(city->city.trees->trees[0].heightM, 12);
 }
 
-TEST_F(ReadArchive, HolesOfATerrainStayHoles) {
-    constexpr const char* grid =
-        "ncols 3\nnrows 3\nxllcorner -73.981\nyllcorner 40.7495\ncellsize 0.001\nNODATA_value -9999\n"
-        "12 12 12\n12 -9999 12\n12 12 12\n";
-    const auto readWith = [&](const std::filesystem::path& terrain) {
-        NoProgress quiet;
-        return readCity({folder.file("square.geojson", packedSquare), terrain}, {.crs = "EPSG:4326"}, quiet,
-                        {});
-    };
-    const auto plain = readWith(folder.file("dem.asc", grid));
+// A block of 5 x 5 cells whose middle no elevation is known of, on level ground.
+TEST_F(ReadArchive, HolesOfASurfaceStayHoles) {
+    constexpr const char* head =
+        "ncols 9\nnrows 9\nxllcorner 391800\nyllcorner 5819500\ncellsize 4\nNODATA_value -9999\n";
+    std::string surface = head, ground = head;
+    for (int row = 0; row < 9; ++row)
+        for (int column = 0; column < 9; ++column) {
+            const int far = std::max(std::abs(row - 4), std::abs(column - 4));
+            surface += far == 0 ? "-9999 " : far <= 2 ? "52.5 " : "40.5 ";
+            ground += "40.5 ";
+        }
     ZipMaker zip;
-    zip.add("dem.asc", grid);
-    const auto packed = readWith(folder.file("dem.zip", zip.text()));
-    ASSERT_TRUE(plain && packed) << (plain ? packed : plain).error().text();
-    EXPECT_EQ(plain->warnings.size(), packed->warnings.size());
+    zip.add("dsm.asc", surface);
+    NoProgress quiet;
+    for (const auto& dsm : {folder.file("dsm.asc", surface), folder.file("dsm.zip", zip.text())}) {
+        const auto city = readCity({dsm, folder.file("dtm.asc", ground)}, {.crs = "EPSG:25833"}, quiet, {});
+        ASSERT_TRUE(city) << city.error().text();
+        double areaM2 = 0;
+        for (const auto& building : city->city.buildings)
+            for (const Part& part : building->parts) areaM2 += area(part.footprint);
+        EXPECT_NEAR(areaM2, 24 * 16, 1) << dsm;
+    }
 }
 
 TEST_F(ReadArchive, SeveralFilesThatAreNoTilesAreNamed) {
