@@ -162,11 +162,11 @@ TEST_F(ReadArchive, TreesOfAMapComeWithIt) {
 // A block of 5 x 5 cells whose middle no elevation is known of, on level ground.
 TEST_F(ReadArchive, HolesOfASurfaceStayHoles) {
     constexpr const char* head =
-        "ncols 9\nnrows 9\nxllcorner 391800\nyllcorner 5819500\ncellsize 4\nNODATA_value -9999\n";
+        "ncols 13\nnrows 13\nxllcorner 391800\nyllcorner 5819500\ncellsize 4\nNODATA_value -9999\n";
     std::string surface = head, ground = head;
-    for (int row = 0; row < 9; ++row)
-        for (int column = 0; column < 9; ++column) {
-            const int far = std::max(std::abs(row - 4), std::abs(column - 4));
+    for (int row = 0; row < 13; ++row)
+        for (int column = 0; column < 13; ++column) {
+            const int far = std::max(std::abs(row - 6), std::abs(column - 6));
             surface += far == 0 ? "-9999 " : far <= 2 ? "52.5 " : "40.5 ";
             ground += "40.5 ";
         }
@@ -181,6 +181,14 @@ TEST_F(ReadArchive, HolesOfASurfaceStayHoles) {
             for (const Part& part : building->parts) areaM2 += area(part.footprint);
         EXPECT_NEAR(areaM2, 24 * 16, 1) << dsm;
     }
+}
+
+TEST_F(ReadArchive, WhatIsNotReadIsNamedWithWhatToDo) {
+    ZipMaker zip;
+    zip.add("readme.txt", "hello");
+    zip.add("scan/points.las", "LASF" + std::string(300, '\0'));
+    expectRefused(zip.text(), "\"points.las\": this is LAS or LAZ, a point cloud, which is not read");
+    expectRefused(zip.text(), "Make a GeoTIFF of its ground points");
 }
 
 TEST_F(ReadArchive, SeveralFilesThatAreNoTilesAreNamed) {
