@@ -1,6 +1,6 @@
-// A file geodatabase with bytes of its tables changed: one that is arbitrary is none. The input holds changes
-// of four bytes each: the file, the place in it (two bytes) and what stands there; a place past the end cuts
-// the file at the value times 16.
+// A file geodatabase with bytes of its tables changed: arbitrary bytes are no geodatabase. The input holds
+// changes of four bytes each: the file, the offset in it (two bytes) and the new value; an offset beyond the
+// end shortens the file to 16 times the value.
 #include <fstream>
 #include <iterator>
 #include <map>
