@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
-#include <ranges>
 
 #include "core/describe/command_options.h"
 #include "core/describe/text.h"
@@ -45,13 +45,14 @@ private:
     ChangeFigures figures_;  // areas count cells until figures()
 };
 
-template <class Cells>
-ImpactFigures countCells(const Impact& impact, double thresholdMin, const Cells& cells) {
+template <class CellAt>
+ImpactFigures countCells(const Impact& impact, double thresholdMin, std::size_t count, CellAt cellAt) {
     const double cellM2 = impact.grid.cellAreaM2();
     ImpactFigures figures{.thresholdMin = thresholdMin};
     Sum gross(thresholdMin), continuous(thresholdMin);
     double receivers = 0;
-    for (const std::size_t i : cells) {
+    for (std::size_t turn = 0; turn < count; ++turn) {
+        const std::size_t i = cellAt(turn);
         figures.becameBuildingM2 += impact.change[i] == CellChange::becameBuilding ? cellM2 : 0;
         figures.becameGroundM2 += impact.change[i] == CellChange::becameGround ? cellM2 : 0;
         if (std::isnan(impact.grossMin[i])) continue;
@@ -71,7 +72,7 @@ ImpactFigures countCells(const Impact& impact, double thresholdMin, const Cells&
 }  // namespace
 
 ImpactFigures computeFigures(const Impact& impact, double thresholdMin) {
-    return countCells(impact, thresholdMin, std::views::iota(std::size_t{0}, impact.grossMin.size()));
+    return countCells(impact, thresholdMin, impact.grossMin.size(), std::identity());
 }
 
 ImpactFigures computeFigures(const ImpactStudy& study, double thresholdMin) {
@@ -89,7 +90,7 @@ ImpactFigures computeFigures(const Impact& impact, const Region& region, double 
 
 ImpactFigures computeFigures(const Impact& impact, const std::vector<std::uint32_t>& cells,
                              double thresholdMin) {
-    return countCells(impact, thresholdMin, cells);
+    return countCells(impact, thresholdMin, cells.size(), [&](std::size_t i) { return cells[i]; });
 }
 
 namespace {
