@@ -5,9 +5,8 @@
 #include <QSettings>
 #include <QTranslator>
 #include <algorithm>
+#include <atomic>
 #include <clocale>
-
-#include "app/gui/base/widgets/error_text.h"
 
 namespace noonmark {
 
@@ -47,6 +46,16 @@ void install(const QString& file, const QString& folder, QCoreApplication& appli
 
 }  // namespace
 
+namespace {
+
+std::atomic<int> changes = 0;
+
+}  // namespace
+
+int countLanguageChanges() { return changes; }
+
+void noteLanguageChange() { ++changes; }
+
 Language readLanguage(const QSettings& settings) {
     const QString code = settings.value(languageKey).toString();
     for (const LanguageEntry& entry : languages)
@@ -74,7 +83,7 @@ QLocale chooseLocale(const QString& code, const QLocale& system) {
 
 void applyLanguage(Language language, QCoreApplication& application) {
     qDeleteAll(application.findChildren<QTranslator*>(translatorName));
-    forgetTranslated();
+    noteLanguageChange();
     const QString code = findTranslation(language, QLocale::system().uiLanguages());
     // Qt took the decimal comma of the system for C functions too, which read and write files.
     std::setlocale(LC_NUMERIC, "C");

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <mutex>
 #include <unordered_map>
+#include <utility>
 
+#include "app/gui/base/looks/language.h"
 #include "core/base/safe_text.h"
 #include "generated/translation_contexts.h"
 
@@ -105,6 +107,7 @@ struct KnownTexts {
     static constexpr std::size_t most = 100'000;
     std::mutex mutex;
     std::unordered_map<std::string, QString> texts;
+    int languageChanges = 0;
 };
 
 KnownTexts& knownTexts() {
@@ -119,16 +122,12 @@ QString translated(std::string_view text) {
     std::string source(text);
     KnownTexts& known = knownTexts();
     const std::scoped_lock lock(known.mutex);
+    const bool isOtherLanguage =
+        std::exchange(known.languageChanges, countLanguageChanges()) != countLanguageChanges();
+    if (isOtherLanguage || known.texts.size() >= KnownTexts::most) known.texts.clear();
     if (const auto found = known.texts.find(source); found != known.texts.end()) return found->second;
-    if (known.texts.size() >= KnownTexts::most) known.texts.clear();
     QString found = findTranslated(source);
     return known.texts.emplace(std::move(source), std::move(found)).first->second;
-}
-
-void forgetTranslated() {
-    KnownTexts& known = knownTexts();
-    const std::scoped_lock lock(known.mutex);
-    known.texts.clear();
 }
 
 QString describeError(const Error& error) {

@@ -13,9 +13,8 @@ namespace noonmark {
 
 /// A text that core marks by NM_TEXT, in the user's language. lupdate puts it into the context of the class
 /// around the mark; of several translations that of a free function comes first.
-/// What was found is remembered: whoever changes the language calls forgetTranslated().
+/// What was found is remembered until the language changes (noteLanguageChange()).
 QString translated(std::string_view text);
-void forgetTranslated();
 
 /// The same as a sentence of its own: with a capital, and the sign of multiplication for an x.
 inline QString translatedSentence(std::string_view text) {
