@@ -2999,6 +2999,13 @@ Opens the panel Review.</source>
     </message>
 </context>
 <context>
+    <name>TreePanel</name>
+    <message>
+        <source>With trees, in the mean over the cells, while trees are dragged or planted: the region of the study and the places that change most</source>
+        <translation>Mit Bäumen, im Mittel über die Zellen, während Bäume gezogen oder gepflanzt werden: die Region der Studie und die Orte, die sich am meisten ändern</translation>
+    </message>
+</context>
+<context>
     <name>noonmark</name>
     <message>
         <source>Height field</source>
@@ -5696,6 +5703,14 @@ Opens the panel Review.</source>
         <source>The change by more than %1 a day reaches the region&apos;s edge: beyond it is not measured.</source>
         <translation>Die Änderung um mehr als %1 am Tag reicht bis zum Rand des Gebiets: Dahinter wird nicht gemessen.</translation>
     </message>
+    <message>
+        <source>the coordinates are taken in the other order than that of their reference system, in which the buildings are mirror images</source>
+        <translation>die Koordinaten werden in der anderen Reihenfolge als der ihres Bezugssystems gelesen, in der die Gebäude spiegelverkehrt sind</translation>
+    </message>
+    <message>
+        <source>Estimated or assumed of %1 trees: height of %2, crown of %3</source>
+        <translation>Geschätzt oder angenommen bei %1 Bäumen: Höhe von %2, Krone von %3</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -8334,6 +8349,10 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
             <numerusform>%1 von %2 Orten in Reichweite des Schattens; die Hinweise der anderen sagen, warum nicht</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Only those in reach of the shadow; they are being found</source>
+        <translation>Nur die in Reichweite des Schattens; sie werden gesucht</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceSunModel</name>
@@ -8886,10 +8905,20 @@ Vertical sky component with trees: %1 % and %2 %</source>
 Vertikaler Himmelslichtanteil mit Bäumen: %1 % und %2 %</translation>
     </message>
     <message>
-        <source>
-Taken by trees: %1</source>
+        <source>Trees that take most sun, with their seasons:</source>
+        <translation>Bäume, die am meisten Sonne nehmen, mit ihren Jahreszeiten:</translation>
+    </message>
+    <message>
+        <source>%1: %2 min on the day, %3 h in the year</source>
+        <comment>a tree, and the sun it takes</comment>
+        <translation>%1: %2 min am Tag, %3 h im Jahr</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %1 more tree(s)</source>
         <translation>
-Von Bäumen genommen: %1</translation>
+            <numerusform>und %1 weiterer Baum</numerusform>
+            <numerusform>und %1 weitere Bäume</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8977,8 +9006,8 @@ Von Bäumen genommen: %1</translation>
         <translation>das angezeigte Szenario</translation>
     </message>
     <message>
-        <source>The point&apos;s sun and sky in every scenario of the project, without trees. Copy (Ctrl+C) takes the table</source>
-        <translation>Sonne und Himmel des Punkts in jedem Szenario des Projekts, ohne Bäume. Kopieren (Strg+C) nimmt die Tabelle</translation>
+        <source>The point&apos;s sun and sky in every scenario of the project, without trees where a row says nothing else. Copy (Ctrl+C) takes the table</source>
+        <translation>Sonne und Himmel des Punkts in jedem Szenario des Projekts, ohne Bäume, wo eine Zeile nichts anderes sagt. Kopieren (Strg+C) nimmt die Tabelle</translation>
     </message>
 </context>
 <context>
@@ -11517,6 +11546,26 @@ vom Jahr ebenso viele Wochen</translation>
         <source>loses its leaves (days of its own)</source>
         <translation>verliert sein Laub (eigene Tage)</translation>
     </message>
+    <message>
+        <source>Whole region</source>
+        <translation>Ganzes Gebiet</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Sun, min a day</source>
+        <translation>Sonne, min am Tag</translation>
+    </message>
+    <message>
+        <source>Shadow, min a day</source>
+        <translation>Schatten, min am Tag</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::UseTable</name>
@@ -11711,6 +11760,10 @@ vom Jahr ebenso viele Wochen</translation>
     <message>
         <source>Arrow keys pan, plus and minus zoom; Ctrl+F1 lists all keys</source>
         <translation>Pfeiltasten verschieben, Plus und Minus zoomen; Ctrl+F1 listet alle Tasten auf</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Gebiet</translation>
     </message>
 </context>
 <context>

@@ -373,6 +373,16 @@ Lowest %3, median %4, tallest %5.</numerusform>
     </message>
 </context>
 <context>
+    <name>noonmark::PointDock</name>
+    <message numerus="yes">
+        <source>and %1 more tree(s)</source>
+        <translation>
+            <numerusform>and %1 more tree</numerusform>
+            <numerusform>and %1 more trees</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noonmark::ResultActions</name>
     <message numerus="yes">
         <source>All %1 scenario(s) measured</source>

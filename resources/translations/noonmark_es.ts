@@ -2999,6 +2999,13 @@ Abre el panel Evaluación.</translation>
     </message>
 </context>
 <context>
+    <name>TreePanel</name>
+    <message>
+        <source>With trees, in the mean over the cells, while trees are dragged or planted: the region of the study and the places that change most</source>
+        <translation>Con árboles, en la media de las celdas, mientras se arrastran o plantan árboles: la región del estudio y los lugares que más cambian</translation>
+    </message>
+</context>
+<context>
     <name>noonmark</name>
     <message>
         <source>Height field</source>
@@ -5696,6 +5703,14 @@ Abre el panel Evaluación.</translation>
         <source>The change by more than %1 a day reaches the region&apos;s edge: beyond it is not measured.</source>
         <translation>El cambio de más de %1 al día llega al borde de la zona: más allá no se mide.</translation>
     </message>
+    <message>
+        <source>the coordinates are taken in the other order than that of their reference system, in which the buildings are mirror images</source>
+        <translation>las coordenadas se toman en el orden contrario al de su sistema de referencia, en el que los edificios son imágenes especulares</translation>
+    </message>
+    <message>
+        <source>Estimated or assumed of %1 trees: height of %2, crown of %3</source>
+        <translation>Estimado o supuesto en %1 árboles: altura de %2, copa de %3</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -8334,6 +8349,10 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
             <numerusform>%1 de %2 lugares al alcance de la sombra; las ayudas de los demás dicen por qué no</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Only those in reach of the shadow; they are being found</source>
+        <translation>Solo los que alcanza la sombra; se están buscando</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceSunModel</name>
@@ -8886,10 +8905,20 @@ Vertical sky component with trees: %1 % and %2 %</source>
 Componente vertical del cielo con árboles: %1 % y %2 %</translation>
     </message>
     <message>
-        <source>
-Taken by trees: %1</source>
+        <source>Trees that take most sun, with their seasons:</source>
+        <translation>Árboles que quitan más sol, con sus estaciones:</translation>
+    </message>
+    <message>
+        <source>%1: %2 min on the day, %3 h in the year</source>
+        <comment>a tree, and the sun it takes</comment>
+        <translation>%1: %2 min en el día, %3 h en el año</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %1 more tree(s)</source>
         <translation>
-Quitado por árboles: %1</translation>
+            <numerusform>y %1 árbol más</numerusform>
+            <numerusform>y %1 árboles más</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8977,8 +9006,8 @@ Quitado por árboles: %1</translation>
         <translation>el escenario mostrado</translation>
     </message>
     <message>
-        <source>The point&apos;s sun and sky in every scenario of the project, without trees. Copy (Ctrl+C) takes the table</source>
-        <translation>El sol y el cielo del punto en cada escenario del proyecto, sin árboles. Copiar (Ctrl+C) toma la tabla</translation>
+        <source>The point&apos;s sun and sky in every scenario of the project, without trees where a row says nothing else. Copy (Ctrl+C) takes the table</source>
+        <translation>El sol y el cielo del punto en cada escenario del proyecto, sin árboles donde la fila no diga otra cosa. Copiar (Ctrl+C) toma la tabla</translation>
     </message>
 </context>
 <context>
@@ -11517,6 +11546,26 @@ del año, otras tantas semanas</translation>
         <source>loses its leaves (days of its own)</source>
         <translation>pierde las hojas (días propios)</translation>
     </message>
+    <message>
+        <source>Whole region</source>
+        <translation>Toda la zona</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Sun, min a day</source>
+        <translation>Sol, min al día</translation>
+    </message>
+    <message>
+        <source>Shadow, min a day</source>
+        <translation>Sombra, min al día</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambio</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::UseTable</name>
@@ -11711,6 +11760,10 @@ del año, otras tantas semanas</translation>
     <message>
         <source>Arrow keys pan, plus and minus zoom; Ctrl+F1 lists all keys</source>
         <translation>Las teclas de flecha desplazan, más y menos acercan y alejan; Ctrl+F1 muestra todas las teclas</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Zona</translation>
     </message>
 </context>
 <context>

@@ -2968,6 +2968,13 @@ Opens the panel Review.</source>
     </message>
 </context>
 <context>
+    <name>TreePanel</name>
+    <message>
+        <source>With trees, in the mean over the cells, while trees are dragged or planted: the region of the study and the places that change most</source>
+        <translation>樹木を移動または植える間の、セル平均(樹木を含む): 検討の範囲と変化の大きい場所</translation>
+    </message>
+</context>
+<context>
     <name>noonmark</name>
     <message>
         <source>Height field</source>
@@ -5665,6 +5672,14 @@ Opens the panel Review.</source>
         <source>The change by more than %1 a day reaches the region&apos;s edge: beyond it is not measured.</source>
         <translation>1 日 %1 を超える変化が範囲の端に達しています。その外は測定されません。</translation>
     </message>
+    <message>
+        <source>the coordinates are taken in the other order than that of their reference system, in which the buildings are mirror images</source>
+        <translation>座標参照系の順序では建物が鏡像になるため、座標を逆の順序で読みます</translation>
+    </message>
+    <message>
+        <source>Estimated or assumed of %1 trees: height of %2, crown of %3</source>
+        <translation>樹木 %1 本のうち推定または仮定: 高さ %2 本、樹冠 %3 本</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -8288,6 +8303,10 @@ Off: the sun&apos;s geometric position, as some rules require</source>
             <numerusform>%2 か所のうち %1 か所に影が届きます。他の場所の理由はツールチップにあります</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Only those in reach of the shadow; they are being found</source>
+        <translation>影が届く場所のみ(検索中)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceSunModel</name>
@@ -8837,10 +8856,19 @@ Vertical sky component with trees: %1 % and %2 %</source>
 樹木を含む鉛直天空光成分: %1 % と %2 %</translation>
     </message>
     <message>
-        <source>
-Taken by trees: %1</source>
+        <source>Trees that take most sun, with their seasons:</source>
+        <translation>最も日照を遮る樹木(季節変化あり):</translation>
+    </message>
+    <message>
+        <source>%1: %2 min on the day, %3 h in the year</source>
+        <comment>a tree, and the sun it takes</comment>
+        <translation>%1: この日 %2 分、年間 %3 時間</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %1 more tree(s)</source>
         <translation>
-樹木が遮る分: %1</translation>
+            <numerusform>ほか %1 本</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8928,8 +8956,8 @@ Taken by trees: %1</source>
         <translation>表示中のシナリオ</translation>
     </message>
     <message>
-        <source>The point&apos;s sun and sky in every scenario of the project, without trees. Copy (Ctrl+C) takes the table</source>
-        <translation>プロジェクトの各シナリオでの地点の日照と天空(樹木なし)。コピー(Ctrl+C)で表を取り込みます</translation>
+        <source>The point&apos;s sun and sky in every scenario of the project, without trees where a row says nothing else. Copy (Ctrl+C) takes the table</source>
+        <translation>プロジェクトの各シナリオでの地点の日照と天空(行に記載がなければ樹木なし)。コピー(Ctrl+C)で表を取り込みます</translation>
     </message>
 </context>
 <context>
@@ -11458,6 +11486,26 @@ of the year, as many weeks</source>
         <source>loses its leaves (days of its own)</source>
         <translation>落葉する(固有の日付)</translation>
     </message>
+    <message>
+        <source>Whole region</source>
+        <translation>範囲全体</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>Sun, min a day</source>
+        <translation>日照 (分/日)</translation>
+    </message>
+    <message>
+        <source>Shadow, min a day</source>
+        <translation>影 (分/日)</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>変化</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::UseTable</name>
@@ -11652,6 +11700,10 @@ of the year, as many weeks</source>
     <message>
         <source>Arrow keys pan, plus and minus zoom; Ctrl+F1 lists all keys</source>
         <translation>矢印キーで移動、プラスとマイナスで拡大・縮小。Ctrl+F1 で全キーを一覧表示</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>範囲</translation>
     </message>
 </context>
 <context>
