@@ -337,7 +337,12 @@ void paintMap(const Canvas& canvas, const MapView& view, const Study& study, Sha
 
 namespace {
 
-// What the colours and lines of buildings mean, of those that are in sight.
+bool showsOutline(const MapView& view, const Region& region) {
+    const QPainterPath path = pathOf(region, view);
+    return path.intersects(view.target()) && !path.contains(view.target());
+}
+
+// What the colours and lines mean, of those that are in sight.
 QStringList listNotes(const MapView& view, const MapScene& scene) {
     const auto isSeen = [&](const auto& building) { return view.sees(bounds(*building)); };
     const auto isSeenProposal = [&](const auto& building) {
@@ -349,10 +354,11 @@ QStringList listNotes(const MapView& view, const MapScene& scene) {
         notes << QStringLiteral("violet: proposed");
     const bool hasDesigned = scene.removed && std::ranges::any_of(scene.removed->buildings, isSeenProposal);
     if (hasDesigned)
-        notes << QStringLiteral("orange line: in the baseline only");
+        notes << QStringLiteral("orange: only in the baseline");
     else if (scene.removed && std::ranges::any_of(scene.removed->buildings, isSeen))
-        notes << QStringLiteral("orange line: demolished");
+        notes << QStringLiteral("orange: demolished");
     if (showsOverhangs(view, scene.city)) notes << QStringLiteral("dashed: open below");
+    if (showsOutline(view, scene.region)) notes << QStringLiteral("dark line: region");
     return notes;
 }
 
@@ -364,7 +370,7 @@ void paintNotes(const Canvas& canvas, const QRectF& area, const QStringList& not
     const QString separator = QStringLiteral(", ");
     const QFontMetricsF metrics(canvas.painter.font(), canvas.painter.device());
     const bool isLong = metrics.horizontalAdvance(notes.join(separator)) > area.width();
-    const qsizetype first = isLong ? notes.size() - 1 : notes.size();
+    const qsizetype first = isLong ? (notes.size() + 1) / 2 : notes.size();
     const QStringList lines{notes.mid(0, first).join(separator), notes.mid(first).join(separator)};
     double baseline = baselinePt - (isLong ? linePt : 0);
     for (const QString& line : lines) {
