@@ -7,7 +7,7 @@
 namespace noonmark {
 namespace {
 
-const ViewLens lens{40, 1200, 800};
+const ViewLens viewLens{40, 1200, 800};
 
 TEST(Extrusion, APointOfTheVerticalIsFoundThroughItsPixel) {
     std::mt19937 random(11);
@@ -16,9 +16,9 @@ TEST(Extrusion, APointOfTheVerticalIsFoundThroughItsPixel) {
         const glm::dvec3 foot{place(random), place(random), 12};
         const CameraPose pose{{0, 0, 0}, 1500, heading(random), pitch(random)};
         const double wanted = height(random);
-        const auto pixel = pixelOf(pose, lens, foot + glm::dvec3(0, 0, wanted));
+        const auto pixel = pixelOf(pose, viewLens, foot + glm::dvec3(0, 0, wanted));
         ASSERT_TRUE(pixel);
-        const auto found = heightOnVertical(makeRayThrough(pose, lens, *pixel), foot);
+        const auto found = heightOnVertical(makeRayThrough(pose, viewLens, *pixel), foot);
         ASSERT_TRUE(found);
         EXPECT_NEAR(*found, wanted, 1e-6);
     }

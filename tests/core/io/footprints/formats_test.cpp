@@ -11,6 +11,7 @@
 #include "core/io/files/plain_file.h"
 #include "core/io/footprints/footprint_scan.h"
 #include "core/io/pieces/read_part.h"
+#include "core/io/read_city.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/shared_data.h"
 
