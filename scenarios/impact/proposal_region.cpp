@@ -35,6 +35,13 @@ InRegion findInRegion(const Box2& box, const Region& region) {
     return inside > 0 ? InRegion::part : InRegion::none;
 }
 
+// Of shadows at noon: 1 north, -1 south, 0 either.
+float findShadowSide(double latDeg) {
+    constexpr double tropicDeg = 23.5;
+    if (std::abs(latDeg) < tropicDeg) return 0;
+    return latDeg > 0 ? 1 : -1;
+}
+
 // Of a cell in the region, by the four cells around it.
 bool isBesideUnmeasured(const std::vector<bool>& measured, const Grid& grid, int column, int row) {
     if (column == 0 || row == 0 || column + 1 == grid.columns || row + 1 == grid.rows) return true;
@@ -68,11 +75,13 @@ InRegion findInRegion(const std::vector<std::shared_ptr<const Building>>& buildi
     return none == buildings.size() ? InRegion::none : InRegion::part;
 }
 
-Region makeRegionAround(const std::vector<std::shared_ptr<const Building>>& buildings, const Region& region) {
+Region makeRegionAround(const std::vector<std::shared_ptr<const Building>>& buildings, const Region& region,
+                        double latDeg) {
     const Box2 box = boxAround(buildings), before = bounds(region);
     glm::vec2 size = box.high - box.low + 2 * borderM;
     if (!before.empty()) size = glm::max(size, before.high - before.low);
-    const glm::vec2 middle = (box.low + box.high) / 2.0F;
+    glm::vec2 middle = (box.low + box.high) / 2.0F;
+    middle.y += findShadowSide(latDeg) * ((size.y - (box.high.y - box.low.y)) / 2 - borderM) / 2;
     Region around = makeRegionFromLocalBox({middle - size / 2.0F, middle + size / 2.0F});
     const Building& first = *buildings.front();
     around.name = "around " + (first.name.empty() ? first.sourceId : first.name);

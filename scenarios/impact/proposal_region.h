@@ -20,8 +20,9 @@ enum class InRegion { whole, part, none };
 InRegion findInRegion(const std::vector<std::shared_ptr<const Building>>& buildings, const Region& region);
 
 /// A box as large as the region, around the buildings; larger where these and 50 m around them need it.
-/// `buildings`: at least one.
-Region makeRegionAround(const std::vector<std::shared_ptr<const Building>>& buildings, const Region& region);
+/// Outside the tropics it lies further towards the pole, where their shadows fall. `buildings`: at least one.
+Region makeRegionAround(const std::vector<std::shared_ptr<const Building>>& buildings, const Region& region,
+                        double latDeg);
 
 /// What a comparison leaves out.
 struct BeyondRegion {

@@ -95,14 +95,19 @@ TEST(Impact, SaysWhatStandsOrReachesBeyondTheRegion) {
 
 TEST(Impact, ARegionAroundAProposalIsAsLargeAsBeforeOrAsThatNeeds) {
     const auto mill = shared(house("Mill", box(1000, 40, 1020, 60), 60));
-    const Region around = makeRegionAround({mill}, makeRegionFromLocalBox({{-60, -40}, {160, 120}}));
+    const Region around = makeRegionAround({mill}, makeRegionFromLocalBox({{-60, -40}, {160, 120}}), 0);
     EXPECT_EQ(bounds(around).low, glm::vec2(900, -30));
     EXPECT_EQ(bounds(around).high, glm::vec2(1120, 130));
     EXPECT_EQ(around.name, "around Mill");
     EXPECT_EQ(findInRegion({mill}, around), InRegion::whole);
-    const Region small = makeRegionAround({mill}, makeRegionFromLocalBox({{0, 0}, {10, 10}}));
+    const Region small = makeRegionAround({mill}, makeRegionFromLocalBox({{0, 0}, {10, 10}}), 50);
     EXPECT_EQ(bounds(small).low, glm::vec2(950, -10));
     EXPECT_EQ(bounds(small).high, glm::vec2(1070, 110));
+    const auto boxAt = [&](double latDeg) {
+        return bounds(makeRegionAround({mill}, makeRegionFromLocalBox({{-60, -40}, {160, 120}}), latDeg));
+    };
+    EXPECT_EQ(boxAt(50).low, glm::vec2(900, -20)) << "shadows fall to the north";
+    EXPECT_EQ(boxAt(-35).low, glm::vec2(900, -40));
 }
 
 TEST(Impact, ThereAndBackAgainIsTheSameWithTheOtherSign) {

@@ -82,7 +82,7 @@ std::optional<Region> EditActions::regionToFollow(const std::vector<Edit>& edits
     if (files.size() == 1 && isParkSample(files.front())) return std::nullopt;
     const auto edited = applyEdits(open->city(), edits);
     if (!edited || findInRegion(edited->changes.added, region) == InRegion::whole) return std::nullopt;
-    return makeRegionAround(edited->changes.added, region);
+    return makeRegionAround(edited->changes.added, region, open->city().frame.origin().latDeg);
 }
 
 // Where its earlier edition stands among the edits of a scenario: those that follow apply to the new one.

@@ -32,7 +32,9 @@ TowerEditing::TowerEditing(EditContext& context, MassingPanel& panel, QObject* p
     connect(&panel_, &MassingPanel::applyRequested, this, &TowerEditing::build);
     connect(&panel_, &MassingPanel::regionRequested, this, [this] {
         const auto& added = context_.preview.changes().added;
-        if (!added.empty()) Q_EMIT regionRequested(makeRegionAround(added, context_.preview.region()));
+        if (context_.city && !added.empty())
+            Q_EMIT regionRequested(makeRegionAround(added, context_.preview.region(),
+                                                    context_.city->city().frame.origin().latDeg));
     });
     connect(&panel_, &MassingPanel::cancelled, this, &TowerEditing::cancel);
 }
