@@ -6680,10 +6680,6 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Projekt zuerst speichern ...</translation>
     </message>
     <message>
-        <source>What is exported has its sheets always, or has none</source>
-        <translation>Was ausgegeben wird, hat seine Blätter immer oder hat keine</translation>
-    </message>
-    <message>
         <source>A result can be verified only with the project that it comes from</source>
         <translation>Ein Ergebnis kann nur mit dem Projekt nachgeprüft werden, aus dem es stammt</translation>
     </message>

@@ -6680,10 +6680,6 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Guardar antes el proyecto...</translation>
     </message>
     <message>
-        <source>What is exported has its sheets always, or has none</source>
-        <translation>Lo que se exporta tiene siempre sus hojas, o no tiene ninguna</translation>
-    </message>
-    <message>
         <source>A result can be verified only with the project that it comes from</source>
         <translation>Un resultado solo se puede verificar con el proyecto del que procede</translation>
     </message>

@@ -6644,10 +6644,6 @@ as published. Approximate: the legend states the measured error</source>
         <translation>先にプロジェクトを保存...</translation>
     </message>
     <message>
-        <source>What is exported has its sheets always, or has none</source>
-        <translation>書き出す対象には常にシートがあるか、まったくありません</translation>
-    </message>
-    <message>
         <source>A result can be verified only with the project that it comes from</source>
         <translation>結果は元のプロジェクトがあるときだけ検証できます</translation>
     </message>

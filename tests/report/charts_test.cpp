@@ -6,6 +6,7 @@
 
 #include "app/report/charts/bar_chart.h"
 #include "app/report/charts/carpet_chart.h"
+#include "app/report/charts/chart_axes.h"
 #include "app/report/charts/timeline_chart.h"
 #include "app/report/maps/style.h"
 
@@ -49,6 +50,23 @@ TEST(Charts, HoursAreLabelledAsFarApartAsThereIsRoom) {
     EXPECT_EQ(makeHourAxis(360, 1080, 1000).ticks.size(), 13U);  // 6 to 18 h, every hour
     EXPECT_EQ(makeHourAxis(360, 1080, 250).ticks.size(), 7U);    // every second hour
     EXPECT_EQ(makeHourAxis(360, 1080, 20).ticks.size(), 3U);     // 6, 12, 18 h at the least
+}
+
+TEST(Charts, ALegendStaysWithinANarrowPlot) {
+    QImage image(400, 60, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    const QRectF plot(30, 30, 150, 25);
+    paintKeys({painter, 1}, plot,
+              {{QStringLiteral("Baseline"), Qt::red},
+               {QStringLiteral("Scenario"), Qt::blue, true},
+               {QStringLiteral("Incremental"), Qt::green}});
+    int last = 0;
+    for (int x = 0; x < image.width(); ++x)
+        for (int y = 0; y < image.height(); ++y)
+            if (image.pixelColor(x, y) != QColor(Qt::white)) last = x;
+    EXPECT_GT(last, 130);
+    EXPECT_LE(last, int(plot.right()) + 1);
 }
 
 TEST(Charts, ATimelineIsReadAtItsTime) {

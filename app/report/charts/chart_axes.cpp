@@ -120,20 +120,36 @@ QRectF keyBox(const Canvas& canvas, const QRectF& plot, double fromPt, double wi
     return {plot.left() + fromPt * pt, plot.top() - 12.5 * pt, widthPt * pt, 7 * pt};
 }
 
-double paintKeyText(const Canvas& canvas, const QRectF& plot, double fromPt, const QString& text) {
-    const double width = widthOf(canvas, text, keyPt);
+double paintKeyText(const Canvas& canvas, const QRectF& plot, double fromPt, const QString& text,
+                    double scale) {
+    const double width = widthOf(canvas, text, scale * keyPt);
     const QRectF box = keyBox(canvas, plot, fromPt, width / canvas.point);
     paintText(canvas, box.adjusted(0, -3 * canvas.point, 0, 3 * canvas.point),
-              Qt::AlignLeft | Qt::AlignVCenter, text, keyPt, canvas.inks.text);
+              Qt::AlignLeft | Qt::AlignVCenter, text, scale * keyPt, canvas.inks.text);
     return fromPt + width / canvas.point;
 }
 
+namespace {
+
+constexpr double apartPt = 12;  // keys from each other
+
+double findKeyScale(const Canvas& canvas, const QRectF& plot, const std::vector<ChartKey>& keys) {
+    constexpr double smallest = 0.6;
+    double widthPt = -apartPt;
+    for (const ChartKey& key : keys)
+        if (!key.text.isEmpty())
+            widthPt += keyBoxPt + keyGapPt + widthOf(canvas, key.text, keyPt) / canvas.point + apartPt;
+    return std::clamp(plot.width() / canvas.point / std::max(widthPt, 1.0), smallest, 1.0);
+}
+
+}  // namespace
+
 void paintKeys(const Canvas& canvas, const QRectF& plot, const std::vector<ChartKey>& keys) {
-    constexpr double apartPt = 12;
+    const double scale = findKeyScale(canvas, plot, keys);
     double at = 0;
     for (const ChartKey& key : keys) {
         if (key.text.isEmpty()) continue;  // the only series of a chart, whose title names it
-        const QRectF box = keyBox(canvas, plot, at, keyBoxPt);
+        const QRectF box = keyBox(canvas, plot, at, scale * keyBoxPt);
         const QColor colour = readableOn(canvas.inks.paper, key.colour);
         if (key.line) {
             canvas.painter.setPen(linePen(canvas, colour, 1.5));
@@ -142,7 +158,8 @@ void paintKeys(const Canvas& canvas, const QRectF& plot, const std::vector<Chart
         } else {
             canvas.painter.fillRect(box, colour);
         }
-        at = paintKeyText(canvas, plot, at + keyBoxPt + keyGapPt, key.text) + apartPt;
+        at =
+            paintKeyText(canvas, plot, at + scale * (keyBoxPt + keyGapPt), key.text, scale) + scale * apartPt;
     }
 }
 

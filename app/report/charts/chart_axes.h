@@ -67,10 +67,12 @@ double valueAt(const ChartAxis& axis, const QRectF& plot, double x);
 /// Frame, grid lines, ticks and titles; paint them after the data. Texts across that would touch the one
 /// before are left out.
 void paintAxes(const Canvas& canvas, const QRectF& plot, const ChartAxis& across, const ChartAxis& up);
-/// The legend, left-aligned above the plot.
+/// The legend, left-aligned above the plot; smaller where it would reach beyond it.
 void paintKeys(const Canvas& canvas, const QRectF& plot, const std::vector<ChartKey>& keys);
-/// One text of the legend, `fromPt` points to the right of the plot's edge. Returns the end of it, points.
-double paintKeyText(const Canvas& canvas, const QRectF& plot, double fromPt, const QString& text);
+/// One text of the legend, `fromPt` points to the right of the plot's edge, `scale` times as large as usual.
+/// Returns the end of it, points.
+double paintKeyText(const Canvas& canvas, const QRectF& plot, double fromPt, const QString& text,
+                    double scale = 1);
 /// The box of a legend's square, `fromPt` points to the right of the plot's edge.
 QRectF keyBox(const Canvas& canvas, const QRectF& plot, double fromPt, double widthPt);
 /// Words in the middle of an empty chart.

@@ -106,7 +106,8 @@ QLayout* ExportDialog::makeFields() {
     makePicture(*form);
     cells_ = makeCheck(tr("Table of all cells"), "exportCells",
                        tr("A line of text for each cell: large for a large region"), first_.cells);
-    sheets_ = makeCheck(tr("Sheets with a title block"), "exportSheets", {}, first_.sheets);
+    sheets_ = makeCheck(tr("Sheets with a title block"), "exportSheets",
+                        tr("A PDF with maps, figures, charts and method on several pages"), first_.sheets);
     form->addRow(QString(), cells_);
     form->addRow(QString(), sheets_);
     makeFolder(*form, folder_->text());
@@ -261,16 +262,14 @@ void ExportDialog::update() {
     files_->setText(names.join(QStringLiteral(", ")));
     cells_->setEnabled(differs(&ExportChoice::cells));
     sheets_->setEnabled(differs(&ExportChoice::sheets));
-    sheets_->setToolTip(sheets_->isEnabled()
-                            ? tr("A PDF with maps, figures, charts and method on several pages")
-                            : tr("What is exported has its sheets always, or has none"));
     const bool hasPicture = names.join(QLatin1Char(' ')).contains(QStringLiteral(".png"));
     for (QWidget* field : std::initializer_list<QWidget*>{width_, pixels_}) field->setEnabled(hasPicture);
     const bool isView = now.subject == ExportChoice::Subject::view;
     pixels_->setMaximum(isView ? ExportChoice::maxSide : maxPictureWidth);
     height_->setVisible(isView);
     fields_->setRowVisible(framed_, isView);
-    for (QCheckBox* box : {cells_, sheets_}) fields_->setRowVisible(box, !isView);
+    // What a result has always, or never, is not asked.
+    for (QCheckBox* box : {cells_, sheets_}) fields_->setRowVisible(box, !isView && box->isEnabled());
     form_->offerExtent(source_.isReview(now));
     const bool isSaved = session_.file().has_value();
     withProject_->setEnabled(!isView && isSaved);
