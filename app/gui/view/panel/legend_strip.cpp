@@ -87,10 +87,14 @@ QToolButton* shownButton(const char* name, const QString& text, const QString& t
     button->setToolTip(tip);
     button->setCheckable(true);
     button->setAutoExclusive(true);
-    // In the dark theme the style's own pressed button looks like the other.
-    button->setStyleSheet(QStringLiteral(
-        "QToolButton:checked { background: palette(highlight); color: palette(highlighted-text); "
-        "border: 1px solid palette(mid); }"));
+    // In the dark theme the style's own pressed button looks like the other. Set anew with the theme, since
+    // style sheets keep the palette that they were read with.
+    followTheme(*button, [button] {
+        button->setStyleSheet(QStringLiteral(
+            "QToolButton { background: palette(button); color: palette(button-text); "
+            "border: 1px solid palette(mid); } "
+            "QToolButton:checked { background: palette(highlight); color: palette(highlighted-text); }"));
+    });
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     return button;
 }
