@@ -8,6 +8,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/looks/units.h"
@@ -220,12 +221,15 @@ void MassingForm::addTower() {
     Q_EMIT edited();
 }
 
-// Adds a setback half way between the last one and the top.
+// Adds a setback at the storey half way between the last one and the top.
 void MassingForm::addSetback() {
     const double top = heightOf(settings_);
     double from = settings_.podium ? settings_.podium->storeys * settings_.storeyHeightM : 0;
     if (!settings_.setbacks.empty()) from = settings_.setbacks.back().aboveM;
-    settings_.setbacks.push_back({.aboveM = (from + top) / 2, .insetM = 3});
+    const double storeyM = settings_.storeyHeightM;
+    const double below = storeyM > 0 ? std::max(1.0, std::floor((top - from) / 2 / storeyM)) * storeyM : 0;
+    const bool fits = below > 0 && from + below < top;
+    settings_.setbacks.push_back({.aboveM = fits ? from + below : (from + top) / 2, .insetM = 3});
     show(settings_);
     Q_EMIT edited();
 }
