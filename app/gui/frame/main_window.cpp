@@ -412,6 +412,7 @@ void MainWindow::connectStudyForm() {
         if (building.selected()) region_.takeSurroundings(*building.selected());
     });
     connect(&tools_, &EditTools::regionRequested, &region_, &RegionActions::change);
+    connect(&region_, &RegionActions::taken, this, [this] { raiseDock(docks_.study); });
     form.setCityFinder([this](bool all) { return workbench_.listPlaceCities(all); });
     connect(&form, &StudyDock::sunByPlaceRequested, &workbench_, &Workbench::runByPlace);
     connect(&workbench_.session(), &ProjectSession::changed, &form, [this, &form] {

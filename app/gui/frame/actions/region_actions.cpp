@@ -40,6 +40,8 @@ void RegionActions::connectDocks(ProjectDock& tree) {
     connect(&workbench_.session(), &ProjectSession::changed, this, &RegionActions::listNames);
     connect(&tree, &ProjectDock::useAsRegionRequested, this, &RegionActions::takeNamed);
     connect(&tree, &ProjectDock::regionChosen, this, &RegionActions::change);
+    connect(&tree, &ProjectDock::useAsRegionRequested, this, &RegionActions::taken);
+    connect(&tree, &ProjectDock::regionChosen, this, &RegionActions::taken);
     connect(&tree, &ProjectDock::saveRegionRequested, this, &RegionActions::saveInProject);
 }
 
@@ -73,6 +75,7 @@ void RegionActions::takeDrawn(const std::vector<Footprint>& pieces) {
     undo.beginMacro(what);
     if (workbench_.session().change(std::move(next), what)) change(region);
     undo.endMacro();
+    Q_EMIT taken();
 }
 
 void RegionActions::takeWholeCity() {
@@ -121,10 +124,9 @@ void RegionActions::readFile() {
     const QString file = workbench_.city() ? askForRegion(&window_) : QString();
     if (file.isEmpty()) return;
     const auto region = readRegion(file.toStdString(), workbench_.city()->city().frame);
-    if (region)
-        change(*region);
-    else
-        panel_.messages().showError(region.error());
+    if (!region) return panel_.messages().showError(region.error());
+    change(*region);
+    Q_EMIT taken();
 }
 
 void RegionActions::saveInProject() {

@@ -31,6 +31,9 @@ public:
     void takeNamed(const std::string& name);  ///< a region of the project, or a place
     void change(const Region& region);
 
+Q_SIGNALS:
+    void taken();  ///< by the user, who wants to see it: drawn, named, read from a file
+
 private:
     void connectDocks(ProjectDock& tree);
     void draw(bool on);
