@@ -9,6 +9,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
@@ -22,6 +24,7 @@
 
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/contributions/contributions_dock.h"
+#include "app/gui/docks/export/export_dialog.h"
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/places/places_dock.h"
 #include "app/gui/docks/results/results_dock.h"
@@ -421,6 +424,30 @@ TEST_F(SunByPlaceWindow, TheMapIsExportedAsPictureAndRasterAlsoOfASavedAnswer) {
     workbench().showStudyAgain();
     showSaved("Sunny");
     EXPECT_TRUE(std::filesystem::exists(exported("saved") / "sun_by_place.png"));
+}
+
+// What the dialog exports has the colours of the view: sun, where the legend of studies shows shadow.
+TEST_F(SunByPlaceWindow, TheExportedMapIsThatOfTheView) {
+    measure();
+    ExportChoice sun;
+    sun.legend.show = ShownAs::sun;
+    const auto pictureIn = [&](const char* name) {
+        return QImage(folder.filePath(QString::fromLatin1(name) + QStringLiteral("/sun_by_place.png")));
+    };
+    const auto settle = [&] { ASSERT_TRUE(waitFor([&] { return !workbench().writing().busy(); })); };
+    workbench().exportShown(folder.filePath(QStringLiteral("sun")).toStdString(), sun);
+    settle();
+    for (const QMenu* menu : window->menuBar()->findChildren<QMenu*>())
+        for (QAction* action : menu->actions())
+            if (action->shortcut() == QKeySequence(QStringLiteral("Ctrl+E"))) action->trigger();
+    auto* dialog = window->findChild<ExportDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    dialog->findChild<QLineEdit*>(QStringLiteral("exportFolder"))
+        ->setText(folder.filePath(QStringLiteral("shown")));
+    dialog->findChild<QPushButton*>(QStringLiteral("exportWrite"))->click();
+    settle();
+    ASSERT_FALSE(pictureIn("shown").isNull());
+    EXPECT_EQ(pictureIn("shown"), pictureIn("sun"));
 }
 
 TEST_F(SunByPlaceWindow, OwnRegionsCountAsPlacesOnceTheyAreTicked) {

@@ -12,6 +12,7 @@
 #include "app/report/maps/legend_painter.h"
 #include "app/report/maps/shadow_measure.h"
 #include "core/measures/colour_scale.h"
+#include "core/measures/legend_choice.h"
 #include "core/receivers/place.h"
 #include "core/receivers/receivers.h"
 #include "render/scene/element_tiles.h"
@@ -83,8 +84,10 @@ struct PlaceView {
     GroundPicture picture;
     Legend legend;
     QString note;
-    bool marked = false;        ///< the note is a warning
-    double thresholdHours = 0;  ///< of the colours
+    bool marked = false;                       ///< the note is a warning
+    double thresholdHours = 0;                 ///< of the colours
+    ShownAs show = ShownAs::sun;               ///< likewise
+    TreeColumns trees = TreeColumns::without;  ///< likewise
     std::function<QString(glm::dvec2 point)> describe;
     /// The same of a scenario that was measured with it, in the same colours; null: it was not.
     std::function<std::shared_ptr<const PlaceView>(const std::string& scenario)> in = [](const std::string&) {

@@ -597,6 +597,8 @@ PlaceView PlacesDock::makeView(const std::string& scenario) const {
             note_.isEmpty() ? describeError(what) : note_,
             outdated_,
             threshold_->value(),
+            model_->showsSun(what) ? ShownAs::sun : ShownAs::shadow,
+            TreeColumns(trees_->currentData().toInt()),
             [this, what, scenario](glm::dvec2 point) { return describeAt(point, what, scenario); },
             [this, what](const std::string& other) -> std::shared_ptr<const PlaceView> {
                 if (!model_->sun() || !isMeasured(*model_->sun(), other, what)) return nullptr;

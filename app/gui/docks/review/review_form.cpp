@@ -80,8 +80,9 @@ QWidget* ReviewForm::makeFoot() {
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(2, 2, 2, 2);
+    // The button stays where it is pressed when progress appears.
     for (QWidget* part :
-         {static_cast<QWidget*>(estimate_), static_cast<QWidget*>(run_), static_cast<QWidget*>(progress_)})
+         {static_cast<QWidget*>(estimate_), static_cast<QWidget*>(progress_), static_cast<QWidget*>(run_)})
         column->addWidget(part);
     return content;
 }

@@ -88,8 +88,9 @@ void StudyDock::placeForms() {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 0, 4, 4);
     column->addWidget(scroll, 1);
+    // The button stays where it is pressed when progress appears.
     for (QWidget* widget : {static_cast<QWidget*>(refusal_), static_cast<QWidget*>(forecastLine_),
-                            static_cast<QWidget*>(run_), static_cast<QWidget*>(progress_)})
+                            static_cast<QWidget*>(progress_), static_cast<QWidget*>(run_)})
         column->addWidget(widget);
 }
 

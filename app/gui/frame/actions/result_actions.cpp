@@ -174,7 +174,11 @@ void ResultActions::offerSubjects() {
 ExportChoice ResultActions::drawn(ExportChoice choice) const {
     choice.scale = panel_.legend().changeScale();
     choice.legend = panel_.legend().choice();
-    choice.thresholdHours = panel_.results().thresholdHours();
+    if (const PlaceView* places = panel_.results().places()) {
+        choice.legend.show = places->show;
+        choice.legend.trees = places->trees;
+        choice.thresholdHours = places->thresholdHours;
+    }
     return choice;
 }
 

@@ -59,6 +59,8 @@ public:
     [[nodiscard]] std::optional<double> thresholdHours() const {
         return showsPlaces() ? std::optional(places_->thresholdHours) : std::nullopt;
     }
+    /// Those of setPlaces().
+    [[nodiscard]] const PlaceView* places() const { return places_.get(); }
     /// Partial result of a running study, displayed instead of the one before; null: none, shows the one
     /// before again.
     void setPartial(std::shared_ptr<const PartialField> partial);
