@@ -810,6 +810,20 @@ TEST_F(SunByPlaceWindow, AnEditMarksTheAnswerAsOutdated) {
     EXPECT_TRUE(dock().view()->marked);
 }
 
+// Without its trees nothing would have changed.
+TEST_F(SunByPlaceWindow, AScenarioThatPlantsTreesIsShownWithThem) {
+    Tree oak = completeTree({.sourceId = "oak", .species = "Quercus", .heightM = 20, .crownDiameterM = 20});
+    oak.place = {-10, 60};
+    session().goTo(existingCity);
+    ASSERT_TRUE(session().addEdits({PlantTree{oak}}, QStringLiteral("plant")));
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([&] { return !workbench().following().busy() && !workbench().running().busy(); }));
+    measure();
+    ASSERT_EQ(sun()->compared.size(), 1U);
+    EXPECT_EQ(field<QComboBox>("placesTrees").currentData().toInt(), int(TreeColumns::seasonal));
+    EXPECT_TRUE(count().endsWith(QStringLiteral("with their seasons"))) << count().toStdString();
+}
+
 TEST_F(SunByPlaceWindow, HeadlineTableAndMapCountTreesByChoice) {
     auto& trees = field<QComboBox>("placesTrees");
     measure();

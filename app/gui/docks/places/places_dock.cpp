@@ -298,10 +298,29 @@ void PlacesDock::show(std::shared_ptr<const SunOfCities> sun, const QString& not
     listed();
 }
 
+namespace {
+
+bool changesAny(const std::vector<SunChange>& changes) {
+    return std::ranges::any_of(changes,
+                               [](const SunChange& one) { return one.maxLossMin > 0 || one.maxGainMin > 0; });
+}
+
+// Where a scenario changes trees alone, without them nothing has changed.
+bool changesTreesAlone(const SunOfCities& sun) {
+    return std::ranges::none_of(sun.compared, changesAny, &ComparedSun::changes) &&
+           std::ranges::any_of(sun.compared, [](const ComparedSun& one) {
+               return std::ranges::any_of(one.changesWithTrees, changesAny);
+           });
+}
+
+}  // namespace
+
 // The same choice as before, if the answer has that column.
 void PlacesDock::fillTrees() {
     const QSignalBlocker quiet(trees_);
-    const QVariant before = trees_->currentData();
+    QVariant before = trees_->currentData();
+    const bool isWithout = !before.isValid() || before.toInt() == int(TreeColumns::without);
+    if (isWithout && answer_ && changesTreesAlone(*answer_)) before = int(TreeColumns::seasonal);
     trees_->clear();
     if (answer_)
         for (const TreeColumns column : listSunColumns(*answer_))
