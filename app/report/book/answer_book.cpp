@@ -226,7 +226,8 @@ std::vector<BookPage> contributionPages(const ComparisonFigures& figures, const 
     const QString title = QStringLiteral("Contributions");
     return makeTablePages(
         settings.setup, {title, {}, title, 0, {}},
-        {{QStringLiteral("Sole contribution of each new building"), note, std::move(table)}});
+        {{QStringLiteral("Sole contribution of each new building: against the scenario without it"), note,
+          std::move(table)}});
 }
 
 BookPage sunByMonthPage(const Bars& months, const BookSettings& settings) {

@@ -52,7 +52,8 @@ Study afterAsStudy(const ImpactAnswer& answer, const AnswerSource& source) {
 // One line per new building, if the comparison measured them.
 void addBuildings(std::vector<TextBlocks>& sections, const ComparisonFigures& figures) {
     if (figures.byBuilding.empty()) return;
-    TextBlocks blocks{heading(QStringLiteral("Sole contribution of each new building"))};
+    TextBlocks blocks{
+        heading(QStringLiteral("Sole contribution of each new building: against the scenario without it"))};
     for (const auto& building : figures.byBuilding)
         blocks.push_back(body(QStringLiteral("%1: %2 with more than %3 min a day of additional gross shadow")
                                   .arg(QString::fromStdString(building.name),

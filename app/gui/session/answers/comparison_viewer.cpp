@@ -22,7 +22,7 @@ void addBuildings(std::vector<ResultRow>& rows, const ComparisonFigures& figures
                                       "Contribution of this new building alone: ground that loses "
                                       "over %1 min of sun a day by it");
     for (const auto& building : figures.byBuilding)
-        rows.push_back({QString::fromStdString(building.name),
+        rows.push_back({QObject::tr("%1 against its empty lot").arg(QString::fromStdString(building.name)),
                         describeChangedArea(building.figures.gross, show),
                         meaning.arg(building.figures.thresholdMin)});
 }
