@@ -219,12 +219,15 @@ void MainWindow::makeToolBars(const WindowActions& actions) {
     bar->addAction(help_.questions());
     if (auto* ask = qobject_cast<QToolButton*>(bar->widgetForAction(help_.questions())))
         ask->setPopupMode(QToolButton::InstantPopup);
-    QAction* paper = bar->addAction(tr("As in the paper"), this, &MainWindow::useMapsOfPaper);
-    paper->setObjectName(QStringLiteral("paperMaps"));
-    paper->setToolTip(
-        tr("Now by shadow accrual maps, studies and reviews by inverse accrual maps through the "
-           "direction graph.\nApproximate: the legend states the measured error. Undo takes the "
-           "method of the study back"));
+    paper_ = bar->addAction(tr("As in the paper"));
+    paper_->setCheckable(true);
+    paper_->setObjectName(QStringLiteral("paperMaps"));
+    paper_->setToolTip(
+        tr("Now by shadow accrual maps, studies by inverse accrual maps through the direction "
+           "graph.\nApproximate: the legend states the measured error. Verdicts of reviews stay exact"));
+    connect(paper_, &QAction::triggered, this, &MainWindow::useMapsOfPaper);
+    connect(camera_.exploreByMaps(), &QAction::toggled, this, &MainWindow::showPaper);
+    showPaper();
     bar->addWidget(new ScenarioBar(workbench_.session()));
     QToolBar* below = new QToolBar(tr("Time and legend"));
     below->setObjectName(QStringLiteral("timeBar"));
@@ -403,7 +406,7 @@ void MainWindow::connectStudyForm() {
     StudyDock& form = *docks_.study;
     form.setRules(review_.library().rules());
     connect(&form, &StudyDock::kindChosen, this, &MainWindow::chooseKind);
-    connect(&form, &StudyDock::paperRequested, this, &MainWindow::useMapsOfPaper);
+    connect(&form, &StudyDock::paperRequested, this, [this] { useMapsOfPaper(true); });
     BuildingEditing& building = tools_.building();
     connect(&building, &BuildingEditing::selectionChanged, &form, [&form, &building] {
         form.setBuilding(building.selected() ? QString::fromStdString(building.id()) : QString());
@@ -505,9 +508,18 @@ void MainWindow::showVerdicts() {
 }
 
 // The engines of the paper, for what is explored and for what is studied.
-void MainWindow::useMapsOfPaper() {
-    camera_.exploreByMaps()->setChecked(true);
-    workbench_.document().change(asInPaper(workbench_.document().settings()), tr("as in the paper"));
+void MainWindow::useMapsOfPaper(bool used) {
+    camera_.exploreByMaps()->setChecked(used || !drawsInSoftware());
+    const StudySettings& now = workbench_.document().settings();
+    const bool terrain = workbench_.city() && workbench_.city()->city().terrain;
+    workbench_.document().change(used ? asInPaper(now) : withAccuracy(AccuracyChoice::quick, now, terrain),
+                                 used ? tr("as in the paper") : tr("not as in the paper"));
+    showPaper();
+}
+
+void MainWindow::showPaper() {
+    if (paper_ == nullptr) return;
+    paper_->setChecked(camera_.exploreByMaps()->isChecked() && isAsInPaper(workbench_.document().settings()));
 }
 
 void MainWindow::explore() {
@@ -667,6 +679,7 @@ void MainWindow::showSavedPlaces() {
 void MainWindow::showDocument() {
     const StudySettings& settings = workbench_.document().settings();
     panel_->showRegion(settings.region);
+    showPaper();
     if (workbench_.city())
         exploration_.setPeriod(settings.period, makeObserver(workbench_.city()->city(), settings));
 }

@@ -46,6 +46,8 @@
 
 class QLabel;
 
+class QAction;
+
 namespace noonmark {
 
 class ProgressStrip;
@@ -129,7 +131,8 @@ private:
     void showModes();
     void showReview();
     void showVerdicts();
-    void useMapsOfPaper();
+    void useMapsOfPaper(bool used);
+    void showPaper();
     void answerCard(StartQuestion question);
     void storePicture();
     void chooseKind(StudyKind kind);
@@ -195,7 +198,8 @@ private:
     TourActions tours_;
     SavedViews savedViews_;
     ContextMenu context_;
-    bool fillsTable_ = false;  ///< places of all scenarios are being measured, for the table of scenarios
+    bool fillsTable_ = false;   ///< places of all scenarios are being measured, for the table of scenarios
+    QAction* paper_ = nullptr;  ///< as in the paper, or not
 };
 
 }  // namespace noonmark

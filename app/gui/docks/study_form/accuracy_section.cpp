@@ -83,6 +83,8 @@ AccuracyChoice choiceOf(const StudySettings& settings, bool terrain) {
 
 StudySettings asInPaper(StudySettings settings) { return withEngine(std::move(settings), inverseMaps); }
 
+bool isAsInPaper(const StudySettings& settings) { return settings.engine == inverseMaps; }
+
 namespace {
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), qsizetype(view.size())); }

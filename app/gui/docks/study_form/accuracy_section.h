@@ -40,6 +40,7 @@ AccuracyChoice choiceOf(const StudySettings& settings, bool terrain);
 
 /// The settings for analysis as in the paper: inverse accrual maps through the direction graph.
 StudySettings asInPaper(StudySettings settings);
+bool isAsInPaper(const StudySettings& settings);
 
 class FieldRows;
 
