@@ -373,5 +373,22 @@ TEST_F(AnswersWindow, RoofsAreChosenMeasuredAndRefusedWhereTheyCannotBe) {
     EXPECT_EQ(places->currentIndex(), 0);
 }
 
+TEST_F(AnswersWindow, AsInThePaperIsPressedWhileItHolds) {
+    auto* paper = window->findChild<QAction*>(QStringLiteral("paperMaps"));
+    ASSERT_NE(paper, nullptr);
+    EXPECT_FALSE(paper->isChecked());
+    const auto engine = [this] { return workbench().document().settings().engine; };
+    const std::string before = engine();
+    paper->trigger();
+    EXPECT_EQ(engine(), "iam");
+    EXPECT_TRUE(paper->isChecked());
+    paper->trigger();
+    EXPECT_NE(engine(), "iam");
+    EXPECT_FALSE(paper->isChecked());
+    workbench().document().undoStack().undo();
+    workbench().document().undoStack().undo();
+    EXPECT_EQ(engine(), before);
+}
+
 }  // namespace
 }  // namespace noonmark
