@@ -2526,6 +2526,10 @@ Opens the panel Review.</source>
         <source>%1 to %2 above datum</source>
         <translation>%1 bis %2 über Höhennull</translation>
     </message>
+    <message>
+        <source>%1 against its empty lot</source>
+        <translation>%1 gegenüber dem leeren Grundstück</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -7480,12 +7484,6 @@ Dauerschatten bleibt, wie er ist: Die längste Sonne ohne Unterbrechung folgt ni
         <translation>Wie im Artikel</translation>
     </message>
     <message>
-        <source>Now by shadow accrual maps, studies and reviews by inverse accrual maps through the direction graph.
-Approximate: the legend states the measured error. Undo takes the method of the study back</source>
-        <translation>Jetzt mit Schattenakkumulationskarten, Untersuchungen und Prüfungen mit inversen Akkumulationskarten über den Richtungsgraphen.
-Genähert: die Legende nennt den gemessenen Fehler. Rückgängig nimmt das Verfahren der Untersuchung zurück</translation>
-    </message>
-    <message>
         <source>receivers</source>
         <translation>Messpunkte</translation>
     </message>
@@ -7496,6 +7494,16 @@ Genähert: die Legende nennt den gemessenen Fehler. Rückgängig nimmt das Verfa
     <message>
         <source>The answer is being computed</source>
         <translation>Die Antwort wird berechnet</translation>
+    </message>
+    <message>
+        <source>Now by shadow accrual maps, studies by inverse accrual maps through the direction graph.
+Approximate: the legend states the measured error. Verdicts of reviews stay exact</source>
+        <translation>Jetzt mit Schattenakkumulationskarten, Studien mit inversen Akkumulationskarten über den Richtungsgraphen.
+Näherung: Die Legende nennt den gemessenen Fehler. Urteile von Prüfungen bleiben exakt</translation>
+    </message>
+    <message>
+        <source>not as in the paper</source>
+        <translation>nicht wie im Artikel</translation>
     </message>
 </context>
 <context>

@@ -2526,6 +2526,10 @@ Abre el panel Evaluación.</translation>
         <source>%1 to %2 above datum</source>
         <translation>%1 a %2 sobre el dátum</translation>
     </message>
+    <message>
+        <source>%1 against its empty lot</source>
+        <translation>%1 frente a su parcela vacía</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -7480,12 +7484,6 @@ La sombra continua no cambia: de ella no se deduce el tramo más largo al sol.</
         <translation>Como en el artículo</translation>
     </message>
     <message>
-        <source>Now by shadow accrual maps, studies and reviews by inverse accrual maps through the direction graph.
-Approximate: the legend states the measured error. Undo takes the method of the study back</source>
-        <translation>Ahora con mapas de acumulación de sombra; estudios y evaluaciones con mapas de acumulación inversos mediante el grafo de direcciones.
-Aproximado: la leyenda indica el error medido. Deshacer recupera el método anterior del estudio</translation>
-    </message>
-    <message>
         <source>receivers</source>
         <translation>receptores</translation>
     </message>
@@ -7496,6 +7494,16 @@ Aproximado: la leyenda indica el error medido. Deshacer recupera el método ante
     <message>
         <source>The answer is being computed</source>
         <translation>Se está calculando la respuesta</translation>
+    </message>
+    <message>
+        <source>Now by shadow accrual maps, studies by inverse accrual maps through the direction graph.
+Approximate: the legend states the measured error. Verdicts of reviews stay exact</source>
+        <translation>Ahora con mapas de acumulación de sombra, los estudios con mapas de acumulación inversa a través del grafo de direcciones.
+Aproximado: la leyenda indica el error medido. Los veredictos de las revisiones siguen siendo exactos</translation>
+    </message>
+    <message>
+        <source>not as in the paper</source>
+        <translation>no como en el artículo</translation>
     </message>
 </context>
 <context>

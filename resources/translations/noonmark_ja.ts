@@ -2495,6 +2495,10 @@ Opens the panel Review.</source>
         <source>%1 to %2 above datum</source>
         <translation>基準面から %1 ～ %2</translation>
     </message>
+    <message>
+        <source>%1 against its empty lot</source>
+        <translation>%1(更地との比較)</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -7443,12 +7447,6 @@ Continuous shadow stays as it is: the longest run in the sun does not follow fro
         <translation>論文の通り</translation>
     </message>
     <message>
-        <source>Now by shadow accrual maps, studies and reviews by inverse accrual maps through the direction graph.
-Approximate: the legend states the measured error. Undo takes the method of the study back</source>
-        <translation>「現在」は影累積マップ、検討と審査は方向グラフを通した逆累積マップによります。
-近似で、凡例に実測誤差を示します。元に戻すと検討の方法が戻ります</translation>
-    </message>
-    <message>
         <source>receivers</source>
         <translation>測定点</translation>
     </message>
@@ -7459,6 +7457,16 @@ Approximate: the legend states the measured error. Undo takes the method of the 
     <message>
         <source>The answer is being computed</source>
         <translation>回答を計算しています</translation>
+    </message>
+    <message>
+        <source>Now by shadow accrual maps, studies by inverse accrual maps through the direction graph.
+Approximate: the legend states the measured error. Verdicts of reviews stay exact</source>
+        <translation>「現在」は影の累積マップ、検討は方向グラフによる逆累積マップを使います。
+近似値です。凡例に測定誤差を示します。審査の判定は正確なままです</translation>
+    </message>
+    <message>
+        <source>not as in the paper</source>
+        <translation>論文の方法をやめる</translation>
     </message>
 </context>
 <context>
