@@ -87,11 +87,11 @@ QStringList textsOf(const LivePlaceShade& shade, bool isSun, double sunlitMin) {
 
 // The region, and the places whose change is more than rounding.
 std::vector<LivePlaceShade> listChanged(const std::vector<LivePlaceShade>& figures) {
-    constexpr double leastMin = 0.005;
+    constexpr double roundingMin = 0.005;
     std::vector<LivePlaceShade> changed;
     for (const LivePlaceShade& one : figures)
         if (changed.size() < maxFigures &&
-            (one.name.empty() || std::abs(one.nowMin - one.beforeMin) >= leastMin))
+            (one.name.empty() || std::abs(one.nowMin - one.beforeMin) >= roundingMin))
             changed.push_back(one);
     return changed;
 }
