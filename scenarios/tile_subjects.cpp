@@ -25,8 +25,8 @@ std::map<std::string, double> listFigures(const Impact& impact) {
     const std::string minutes = fmt::format("{:g}_min", large.thresholdMin);
     return {{"touched_m2", all.gross.anyMoreShadowM2},
             {"eased_m2", all.gross.anyLessShadowM2},
-            {"gained_over_" + minutes + "_m2", large.gross.gainedM2},
-            {"lost_over_" + minutes + "_m2", large.gross.lostM2},
+            {"gained_over_" + minutes + "_m2", large.gross.moreShadowM2},
+            {"lost_over_" + minutes + "_m2", large.gross.lessShadowM2},
             {"shadow_area_change_m2", all.shadowAreaChangeM2},
             {"became_building_m2", all.becameBuildingM2},
             {"became_ground_m2", all.becameGroundM2}};

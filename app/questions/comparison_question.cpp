@@ -156,8 +156,7 @@ public:
         const auto score = inColumn(std::shared_ptr<const Score>(shared(), &content().score), shown.trees);
         AnswerPage page = makePage(*score, content().scenario, shown.show);
         if (!content().score.withTrees.empty())
-            page.findings.push_back(
-                nameColumn(score.get() == &content().score ? TreeColumns::without : shown.trees));
+            page.findings.push_back(nameColumn(columnOf(content().score, shown.trees)));
         return page;
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <set>
 
 #include "app/questions/saved_question.h"
 #include "app/report/files/answer_files.h"
@@ -287,39 +288,64 @@ Result<std::vector<ScreenedPlace>> screen(const ReviewQuestion& question, Progre
                         progress, std::move(stop));
 }
 
-bool canScreen(const ReviewQuestion& question) {
-    if (question.rule.receivers.hasLines()) return false;
-    if (question.rule.occluders.trees != RuleTrees::without &&
-        !haveSameTrees(*question.before, *question.after))
-        return false;
-    return !findChangedBuildings(question.before->buildings, question.after->buildings).added.empty();
-}
+namespace {
 
-Result<std::map<std::string, std::string>> keepPlacesInReach(ReviewQuestion& question, Progress& progress,
-                                                             const std::stop_token& stop) {
+// Where a scenario adds no building, screenPlaces() says so.
+Result<void> checkScreening(const ReviewQuestion& question) {
     if (question.rule.receivers.hasLines())
         return unsupported("The rule is about the surroundings of parcels", "--in-reach", "Name the lots");
-    std::erase_if(question.places, [&](const Place& place) { return !covers(question.rule, place.kind); });
-    const auto screened = screen(question, progress, stop);
+    if (question.rule.occluders.trees != RuleTrees::without &&
+        !haveSameTrees(*question.before, *question.after))
+        return unsupported("The rule counts trees, and the scenario plants or fells some", "--in-reach",
+                           "Leave out --in-reach");
+    return {};
+}
+
+}  // namespace
+
+bool canScreen(const ReviewQuestion& question) {
+    return checkScreening(question) &&
+           !findChangedBuildings(question.before->buildings, question.after->buildings).added.empty();
+}
+
+Result<PlacesInReach> findPlacesInReach(const ReviewQuestion& question, Progress& progress,
+                                        const std::stop_token& stop) {
+    if (const auto may = checkScreening(question); !may) return tl::make_unexpected(may.error());
+    ReviewQuestion covered = question;
+    std::erase_if(covered.places, [&](const Place& place) { return !covers(question.rule, place.kind); });
+    const auto screened = screen(covered, progress, stop);
     if (!screened) return tl::make_unexpected(screened.error());
-    std::map<std::string, std::string> reasons;
-    std::vector<Place> reached;
+    PlacesInReach found;
     for (const ScreenedPlace& one : *screened) {
-        Place& place = question.places[one.place];
-        reasons[place.name] = one.reason;
-        if (one.result == ScreeningResult::reached) reached.push_back(std::move(place));
+        Place& place = covered.places[one.place];
+        found.reasons[place.name] = one.reason;
+        if (one.result == ScreeningResult::reached) found.places.push_back(std::move(place));
     }
-    if (reached.empty())
+    return found;
+}
+
+Result<void> keepPlacesInReach(ReviewQuestion& question, const PlacesInReach& found) {
+    if (found.places.empty())
         return failure("The proposal's shadow reaches no place in the rule's hours", question.rule.name,
-                       "Run the rule on all places to have that stated for each");
-    question.places = std::move(reached);
+                       "Review all places to have that stated for each");
+    std::set<std::string_view> kept;
+    for (const Place& place : found.places) kept.insert(place.name);
+    for (const Place& place : question.places) {
+        if (kept.contains(place.name)) continue;
+        const bool isCovered = found.reasons.contains(place.name);
+        question.warnings.push_back({WarningKind::leftOut,
+                                     isCovered ? "the proposal's shadow does not reach it in the rule's hours"
+                                               : "the rule does not cover places of its kind",
+                                     place.name});
+    }
+    question.places = found.places;
     question.inReach = true;
-    return reasons;
+    return {};
 }
 
 Warnings statedWarnings(const ReviewAnswer& review, const ReviewSource& source) {
     Warnings warnings = review.study.warnings;
-    prependWarnings(warnings, review.question.moved);
+    prependWarnings(warnings, review.question.warnings);
     return statedWarnings(std::move(warnings), source);
 }
 

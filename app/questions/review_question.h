@@ -43,7 +43,8 @@ struct ReviewQuestion : ReviewedCities {
     Rule rule;
     std::vector<Place> places;  ///< or parcels, of a rule with lines
     ReviewSettings settings;
-    Warnings moved;  ///< parcels with roads: their line was moved out, or why not
+    /// About the places: lines of parcels with roads that were moved or not, places that were left out.
+    Warnings warnings;
     /// As they were asked for: names, or "all". Empty: `places` by name.
     std::vector<std::string> named{};
     std::vector<CommandOption> repeat{};  ///< further options of the command that asks the same
@@ -83,13 +84,18 @@ Result<ReviewAnswer> computeReview(const ReviewQuestion& question, Progress& pro
 Result<std::vector<ScreenedPlace>> screen(const ReviewQuestion& question, Progress& progress,
                                           std::stop_token stop);
 
-/// Keeps only the places that the rule covers and that the shadow of the proposal reaches (`inReach`).
-/// Returns by name what screening found of each place that the rule covers. Error: a rule about parcels; no
-/// place is reached; errors of screen().
-Result<std::map<std::string, std::string>> keepPlacesInReach(ReviewQuestion& question, Progress& progress,
-                                                             const std::stop_token& stop);
-/// Whether the scenario does no more than add buildings that screening can test: not so where it adds none,
-/// or where trees that the rule counts are planted or felled.
+/// The places that the shadow of a proposal reaches.
+struct PlacesInReach {
+    std::vector<Place> places;                   ///< of those that the rule covers
+    std::map<std::string, std::string> reasons;  ///< what screening found of each of these, by name
+};
+/// Error: what canScreen() refuses; errors of screen().
+Result<PlacesInReach> findPlacesInReach(const ReviewQuestion& question, Progress& progress,
+                                        const std::stop_token& stop);
+/// Leaves out the others, each with a warning (`inReach`). Error: none is in reach; nothing is left out then.
+Result<void> keepPlacesInReach(ReviewQuestion& question, const PlacesInReach& found);
+/// Whether screening finds all places that the proposal shades: it adds a building, and the trees that the
+/// rule counts are the same in both cities. Not of rules about parcels.
 bool canScreen(const ReviewQuestion& question);
 
 /// The warnings that its files state: those of reading the city first, those of the rules last.

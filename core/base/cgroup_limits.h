@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace noonmark {
 
@@ -18,6 +19,23 @@ struct CgroupLimits {
 /// Backend: cgroup_limits_linux.cpp.
 CgroupLimits readCgroupLimits(const std::filesystem::path& own = "/proc/self/cgroup",
                               const std::filesystem::path& mounted = "/sys/fs/cgroup");
+
+/// Memory that programs can still take without swapping, bytes: MemAvailable of Linux. Nothing if the system
+/// does not provide it.
+std::optional<std::uint64_t> measureAvailableMemory(const std::filesystem::path& meminfo = "/proc/meminfo");
+
+/// For work whose need of memory is known only afterwards.
+class MemoryWatch {
+public:
+    explicit MemoryWatch(std::filesystem::path meminfo = "/proc/meminfo")
+        : meminfo_(std::move(meminfo)), before_(measureAvailableMemory(meminfo_)) {}
+    /// Whether less than a quarter of the memory that was free at first is left. Some 20 us.
+    [[nodiscard]] bool isShort() const;
+
+private:
+    std::filesystem::path meminfo_;
+    std::optional<std::uint64_t> before_;
+};
 
 /// Limits the threads of all parallel work during its lifetime. Backend: thread_limit_tbb.cpp.
 class ThreadLimit {

@@ -96,6 +96,21 @@ CgroupLimits readCgroupLimits(const fs::path& own, const fs::path& mounted) {
     return limits;
 }
 
+std::optional<std::uint64_t> measureAvailableMemory(const std::filesystem::path& meminfo) {
+    std::ifstream file(meminfo);
+    std::string key;
+    std::uint64_t kibibytes = 0;
+    std::string rest;
+    while (file >> key >> kibibytes && std::getline(file, rest))
+        if (key == "MemAvailable:") return kibibytes * 1024;
+    return std::nullopt;
+}
+
+bool MemoryWatch::isShort() const {
+    const auto now = before_ ? measureAvailableMemory(meminfo_) : std::nullopt;
+    return now && *now < *before_ / 4;
+}
+
 std::optional<std::size_t> countThreads(const CgroupLimits& limits) {
     if (!limits.processors) return std::nullopt;
     return std::size_t(std::max(1.0, std::ceil(*limits.processors)));

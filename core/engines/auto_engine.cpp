@@ -113,16 +113,19 @@ std::optional<EngineChoice> AutoEngine::chooseInstead(const EngineChoice& failed
                         fmt::format("rays, since {} refused: {}", failed.why, error.what)};
 }
 
-std::optional<EngineChoice> AutoEngine::chooseCloser(const EngineChoice& used, const SampledDeviation& off,
-                                                     std::span<const City* const> cities,
-                                                     const Receivers& receivers, const SunSteps& sun) const {
+std::optional<EngineChoice> AutoEngine::chooseMoreExact(const EngineChoice& used,
+                                                        const SampledDeviation& deviation,
+                                                        std::span<const City* const> cities,
+                                                        const Receivers& receivers,
+                                                        const SunSteps& sun) const {
     if (used.key != "horizon" || sweep_.binDeg > 0) return std::nullopt;
-    const double target = sweep_.errorTargetPercent, chance = std::min(2 * off.standardErrorPct, target);
-    if (!(off.meanPct > target + chance)) return std::nullopt;
+    const double target = sweep_.errorTargetPercent,
+                 chance = std::min(2 * deviation.standardErrorPct, target);
+    if (!(deviation.meanPct > target + chance)) return std::nullopt;
     const std::string missed = fmt::format(
         "a sample of the horizon sweep is off by {:.3f} % of the period in the mean, more than "
         "the {:g} % aimed at",
-        off.meanPct, target);
+        deviation.meanPct, target);
     const EstimatedSeconds seconds = estimateSeconds(measureEngineLoad(cities, receivers, sun, sweep_));
     if (isLevel(cities, receivers) && seconds.projected <= seconds.ray)
         return EngineChoice{"projected", std::make_unique<ProjectedShadows>(),

@@ -49,7 +49,7 @@ EstimatedSeconds estimateSeconds(const EngineLoad& load);
 /// which are exact, where they are expected to take no longer than the horizon sweep or no more than 2 s; on
 /// terrain and roofs the ray reference on the same terms; else the horizon sweep, whose cells are off by 0.04
 /// % of a long period in the mean. Where the one chosen refuses the case the ray reference takes it. Where a
-/// sample shows that the sweep misses its error target, an exact engine does (chooseCloser()); whoever
+/// sample shows that the sweep misses its error target, an exact engine does (chooseMoreExact()); whoever
 /// measures the sample asks for it.
 class AutoEngine final : public Engine {
 public:
@@ -69,11 +69,11 @@ public:
     /// The quicker of the exact engines that take the case, where the sweep misses its error target by more
     /// than chance explains: two standard errors of the sample, but no more than the target itself. None
     /// where the width of bins was set, which leaves no target.
-    [[nodiscard]] std::optional<EngineChoice> chooseCloser(const EngineChoice& used,
-                                                           const SampledDeviation& off,
-                                                           std::span<const City* const> cities,
-                                                           const Receivers& receivers,
-                                                           const SunSteps& sun) const override;
+    [[nodiscard]] std::optional<EngineChoice> chooseMoreExact(const EngineChoice& used,
+                                                              const SampledDeviation& deviation,
+                                                              std::span<const City* const> cities,
+                                                              const Receivers& receivers,
+                                                              const SunSteps& sun) const override;
 
 protected:
     [[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers,

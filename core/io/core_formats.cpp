@@ -172,6 +172,7 @@ Formats coreFormats() {
          .instead = "Unpack it and read the .ifc in it"},
         {.name = "7z", .marks = {{"7z\xBC\xAF"sv}}, .instead = unpack},
         {.name = "RAR", .marks = {{"Rar!"}}, .instead = unpack},
+        {.name = "tar", .marks = {{"", "ustar", ".tar"}}, .instead = unpack},
         {.name = "bzip2", .marks = {{"BZh"}}, .instead = unpack},
         // weather, pictures, documents
         {.name = "EPW, weather data",

@@ -174,11 +174,18 @@ struct SceneWalk {
     const aiScene& scene;
     std::function<void(MeshObject, const IfcLocation&)> take;
 
+    // A node that a COLLADA does not name is called by its shape, not by what the library makes up.
+    [[nodiscard]] std::string nameOf(const aiNode& node) const {
+        const std::string_view own = node.mName.C_Str();
+        if (!own.starts_with("$ColladaAutoName$")) return std::string(own);
+        return node.mNumMeshes > 0 ? scene.mMeshes[node.mMeshes[0]]->mName.C_Str() : "";
+    }
+
     void visit(const aiNode& node, const glm::dmat4& parent, IfcLocation within = {}) const {
         const glm::dmat4 toScene = parent * inDouble(node.mTransformation);
         // The root is named after the file.
         const bool isNested = node.mParent != nullptr && node.mParent->mParent != nullptr;
-        MeshObject object{node.mName.C_Str(), {}, isNested ? node.mParent->mName.C_Str() : ""};
+        MeshObject object{nameOf(node), {}, isNested ? nameOf(*node.mParent) : ""};
         for (unsigned i = 0; i < node.mNumMeshes; ++i)
             object.pieces.push_back(pieceOf(*scene.mMeshes[node.mMeshes[i]], toScene));
         within.enter(object.name, toScene[3].y);

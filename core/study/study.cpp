@@ -160,7 +160,7 @@ Result<void> measureField(Study& study, EngineInUse& engine, Progress& progress,
         if (auto done = accumulate(study, engine, progress, stop); !done) {
             if (!study.error || isCancelled(done.error())) return done;
             study.warnings.push_back(
-                {WarningKind::leftOut, "a closer engine, which failed", done.error().text()});
+                {WarningKind::leftOut, "a more exact engine, which failed", done.error().text()});
             return {};
         }
         if (auto done = measureError(study, progress, stop); !done) return done;

@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <utility>
 
+#include "core/base/cgroup_limits.h"
 #include "core/describe/text.h"
 
 namespace noonmark {
@@ -61,16 +61,6 @@ std::uint64_t estimateMemory(const City& city, const StudySettings& settings, co
                          countTriangles(city) * bytesPerTriangle + stepCount(settings.period) * bytesPerStep;
     constexpr double maximum = double(std::numeric_limits<std::int64_t>::max());
     return bytes < maximum ? std::uint64_t(bytes) : std::uint64_t(maximum);
-}
-
-std::optional<std::uint64_t> measureAvailableMemory(const std::filesystem::path& meminfo) {
-    std::ifstream file(meminfo);
-    std::string key;
-    std::uint64_t kibibytes = 0;
-    std::string rest;
-    while (file >> key >> kibibytes && std::getline(file, rest))
-        if (key == "MemAvailable:") return kibibytes * 1024;
-    return std::nullopt;
 }
 
 Result<void> checkMemory(const City& city, const StudySettings& settings, const EngineList& engines) {

@@ -223,17 +223,23 @@ Json terrainRange(const City& city) {
     return range.json();
 }
 
-Json extentLonLat(const City& city) {
+// Of the buildings; of a terrain alone its own.
+Box2 coveredBox(const City& city) {
     const Box2 box = bounds(city);
+    return box.empty() && city.terrain ? bounds(city.terrain->grid) : box;
+}
+
+Json extentLonLat(const City& city) {
+    const Box2 box = coveredBox(city);
     if (box.empty()) return nullptr;
     const LonLat low = city.frame.lonLatFromLocal(glm::dvec2(box.low));
     const LonLat high = city.frame.lonLatFromLocal(glm::dvec2(box.high));
     return {low.lonDeg, low.latDeg, high.lonDeg, high.latDeg};
 }
 
-// The town nearest to the middle of the buildings; null without a table of towns.
+// The town nearest to the middle of it; null without a table of towns.
 Json townJson(const City& city) {
-    const Box2 box = bounds(city);
+    const Box2 box = coveredBox(city);
     if (box.empty()) return nullptr;
     const auto middle = (glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0;
     const auto town = findNearestTown(city.frame.lonLatFromLocal(middle));

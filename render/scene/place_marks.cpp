@@ -235,7 +235,8 @@ bool PlaceMarks::isOutlined(std::size_t mark) const {
 
 std::size_t PlaceMarks::outlined() const {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < marks_.size(); ++i) count += isOutlined(i) ? 1 : 0;
+    for (std::size_t i = 0; i < marks_.size(); ++i)
+        count += isOutlined(i) && !marks_[i].lines.empty() ? 1 : 0;
     return count;
 }
 

@@ -220,6 +220,14 @@ void CityView::clearMap() {
     for (DrawnCity* city : {&displayed_, &other_}) city->clearMap();
 }
 
+void CityView::showFinerMap(const GroundPicture& picture) {
+    for (DrawnCity* city : {&displayed_, &other_}) city->showFinerMap(picture);
+}
+
+void CityView::clearFinerMap() {
+    for (DrawnCity* city : {&displayed_, &other_}) city->clearFinerMap();
+}
+
 void CityView::showLines(const std::vector<GroundLine>& lines) { lines_.show(lines); }
 
 void CityView::showRegion(const std::vector<GroundLine>& lines) { regionLines_.show(lines); }

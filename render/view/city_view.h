@@ -72,6 +72,9 @@ public:
     /// Shows a map on the ground, below the other pictures; it stays until the next one or clearMap().
     void showMap(const GroundPicture& picture);
     void clearMap();
+    /// A finer picture of a part of that map, in its place there.
+    void showFinerMap(const GroundPicture& picture);
+    void clearFinerMap();
     /// Pictures on ground, roofs and facades; they cover the picture on the ground.
     [[nodiscard]] SurfaceLayer& surfaces() { return displayed_.surfaces(); }
     /// What was measured at points of facades and planes.

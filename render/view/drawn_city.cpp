@@ -99,6 +99,7 @@ DrawnCity::DrawnCity(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3D
     setAll({edge_, traced_.material()}, QStringLiteral("edgeColour"), toVector(edgeColour));
     clearPicture();
     clearMap();
+    clearFinerMap();
     surfaces_ = std::make_unique<SurfaceLayer>(surfaces, parent);
     sun_ = std::make_unique<SunLayer>(Materials{building_, proposal_, ground_}, parent);
 }
@@ -241,6 +242,15 @@ void DrawnCity::showMap(const GroundPicture& picture) {
 void DrawnCity::clearMap() {
     showMap(noPicture());
     includeAll(groundMaterials_, "MAP", false);
+}
+
+void DrawnCity::showFinerMap(const GroundPicture& picture) {
+    lay(QStringLiteral("finerMap"), picture, groundMaterials_, finerMapTexture_, parent_);
+}
+
+void DrawnCity::clearFinerMap() {
+    showFinerMap(noPicture());
+    includeAll(groundMaterials_, "FINERMAP", false);
 }
 
 void DrawnCity::setTracedSun(const std::optional<glm::dvec3>& towardsSun) {

@@ -53,6 +53,8 @@ public:
     void clearPicture();
     void showMap(const GroundPicture& picture);
     void clearMap();
+    void showFinerMap(const GroundPicture& picture);
+    void clearFinerMap();
     [[nodiscard]] SurfaceLayer& surfaces() { return *surfaces_; }
     [[nodiscard]] SunLayer& sun() { return *sun_; }
     /// Shows the city's trees, which stay until others are shown; null: none. `rays`: of these, null: without
@@ -93,6 +95,7 @@ private:
     Qt3DCore::QNode* texture_ = nullptr;
     Qt3DCore::QNode* roofTexture_ = nullptr;
     Qt3DCore::QNode* mapTexture_ = nullptr;
+    Qt3DCore::QNode* finerMapTexture_ = nullptr;
     std::unique_ptr<SurfaceLayer> surfaces_;
     std::unique_ptr<SunLayer> sun_;
     ViewBounds bounds_;

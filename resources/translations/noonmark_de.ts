@@ -188,7 +188,7 @@
         <translation>Einige Szenarien konnten nicht berechnet werden</translation>
     </message>
     <message>
-        <source>The dock Scenarios says why in the row of each</source>
+        <source>The panel Scenarios says why in the row of each</source>
         <translation>Das Feld Szenarien nennt in jeder Zeile den Grund</translation>
     </message>
     <message>
@@ -244,7 +244,7 @@
         <translation>Der Schatten des Vorschlags erreicht in den Stunden der Regel keinen Ort</translation>
     </message>
     <message>
-        <source>Run the rule on all places to have that stated for each</source>
+        <source>Review all places to have that stated for each</source>
         <translation>Prüfen Sie alle Orte, um das für jeden ausgewiesen zu bekommen</translation>
     </message>
     <message>
@@ -5802,7 +5802,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Jeder Monat für sich</translation>
     </message>
     <message>
-        <source>Also sums the shadow of each month: bars in the dock Contributions, a table and maps in exports</source>
+        <source>Also sums the shadow of each month: bars in the panel Contributions, a table and maps in exports</source>
         <translation>Summiert auch den Schatten jedes Monats: Balken im Feld Beiträge, eine Tabelle und Karten in Exporten</translation>
     </message>
     <message>
@@ -5826,7 +5826,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Beiträge</translation>
     </message>
     <message>
-        <source>Also finds what each building takes, for the dock Contributions and exports; takes up to twice as long.</source>
+        <source>Also finds what each building takes, for the panel Contributions and exports; takes up to twice as long.</source>
         <translation>Ermittelt auch, was jedes Gebäude nimmt, für das Feld Beiträge und den Export; dauert bis zu doppelt so lange.</translation>
     </message>
 </context>
@@ -6109,7 +6109,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Die zuletzt angeklickte Tabelle oder der Text, sonst das Bild der Ansicht</translation>
     </message>
     <message>
-        <source>The figures of the dock Results, as a table</source>
+        <source>The figures of the panel Results, as a table</source>
         <translation>Die Zahlen des Felds Ergebnisse als Tabelle</translation>
     </message>
     <message>
@@ -6178,7 +6178,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Sonnenbahnkuppel</translation>
     </message>
     <message>
-        <source>The sun&apos;s paths of the months and the hours on a dome around what the camera looks at, or around the pin of the dock Point</source>
+        <source>The sun&apos;s paths of the months and the hours on a dome around what the camera looks at, or around the pin of the panel Point</source>
         <translation>Die Sonnenbahnen der Monate und die Stunden auf einer Kuppel um das, was die Kamera ansieht, oder um die Nadel des Felds Punkt</translation>
     </message>
 </context>
@@ -6333,7 +6333,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Ctrl+Shift+L</translation>
     </message>
     <message>
-        <source>Drag the corners and sides of the lot that is chosen in the dock Tower, or that the selected building stands on</source>
+        <source>Drag the corners and sides of the lot that is chosen in the panel Tower, or that the selected building stands on</source>
         <translation>Ecken und Seiten des Grundstücks ziehen, das im Dock Turm gewählt ist oder auf dem das gewählte Gebäude steht</translation>
     </message>
     <message>
@@ -9574,7 +9574,7 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
     </message>
     <message>
         <source>No study yet.
-Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The answer then stands here.</source>
+Choose what, when and where in the panel Study, and press Run study (Ctrl+R). The answer then stands here.</source>
         <translation>Noch keine Untersuchung.
 Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R). Dann steht die Antwort hier.</translation>
     </message>
@@ -10007,7 +10007,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Alle Szenarien &amp;bewerten</translation>
     </message>
     <message>
-        <source>Computes the scores that the dock Scenarios lacks, with the table that the dock Weights shows</source>
+        <source>Computes the scores that the panel Scenarios lacks, with the table that the panel Weights shows</source>
         <translation>Berechnet die Bewertungen, die im Feld Szenarien fehlen, mit der Tabelle im Feld Gewichte</translation>
     </message>
     <message>
@@ -10015,7 +10015,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Alle Szenarien &amp;prüfen</translation>
     </message>
     <message>
-        <source>Reviews the scenarios whose verdicts the dock Scenarios lacks, by the rule chosen in the dock Review</source>
+        <source>Reviews the scenarios whose verdicts the panel Scenarios lacks, by the rule chosen in the panel Review</source>
         <translation>Prüft die Szenarien, deren Befunde im Feld Szenarien fehlen, nach der Regel im Feld Prüfung</translation>
     </message>
     <message>
@@ -10124,7 +10124,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Alle nach Monaten messen</translation>
     </message>
     <message>
-        <source>No places have been measured: choose Sun by place in the dock Study, and press Measure all</source>
+        <source>No places have been measured: choose Sun by place in the panel Study, and press Measure all</source>
         <translation>Keine Orte wurden gemessen: wählen Sie im Bereich Studie Sonne nach Orten, und drücken Sie Alle messen</translation>
     </message>
 </context>
@@ -10183,7 +10183,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Befunde</translation>
     </message>
     <message>
-        <source>By the rule and the baseline that the dock Review shows; sorted by the number that fail, then by borderline ones</source>
+        <source>By the rule and the baseline that the panel Review shows; sorted by the number that fail, then by borderline ones</source>
         <translation>Nach der Regel und der Ausgangslage im Feld Prüfung; sortiert nach der Zahl der nicht bestandenen, dann der grenzwertigen</translation>
     </message>
     <message>
@@ -10324,7 +10324,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         </translation>
     </message>
     <message>
-        <source>Not measured since buildings last changed: choose Sun by place in the dock Study, and press Measure all</source>
+        <source>Not measured since buildings last changed: choose Sun by place in the panel Study, and press Measure all</source>
         <translation>Nicht gemessen, seit sich Gebäude zuletzt geändert haben: wählen Sie im Bereich Studie Sonne nach Orten, und drücken Sie Alle messen</translation>
     </message>
 </context>
@@ -10347,7 +10347,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Alle bewerten</translation>
     </message>
     <message>
-        <source>Computes the missing scores with the table that the dock Weights shows</source>
+        <source>Computes the missing scores with the table that the panel Weights shows</source>
         <translation>Berechnet die fehlenden Bewertungen mit der Tabelle im Feld Gewichte</translation>
     </message>
     <message>
@@ -10355,7 +10355,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Alle prüfen</translation>
     </message>
     <message>
-        <source>Reviews the scenarios without verdicts by the rule, the baseline and the places that are chosen in the dock Review</source>
+        <source>Reviews the scenarios without verdicts by the rule, the baseline and the places that are chosen in the panel Review</source>
         <translation>Prüft die Szenarien ohne Befunde nach Regel, Ausgangslage und Orten, die im Feld Prüfung gewählt sind</translation>
     </message>
     <message>

@@ -188,7 +188,7 @@
         <translation>Algunos escenarios no se pudieron calcular</translation>
     </message>
     <message>
-        <source>The dock Scenarios says why in the row of each</source>
+        <source>The panel Scenarios says why in the row of each</source>
         <translation>El panel Escenarios dice el motivo en la fila de cada uno</translation>
     </message>
     <message>
@@ -244,7 +244,7 @@
         <translation>La sombra de la propuesta no alcanza ningún lugar en las horas de la norma</translation>
     </message>
     <message>
-        <source>Run the rule on all places to have that stated for each</source>
+        <source>Review all places to have that stated for each</source>
         <translation>Aplique la norma a todos los lugares para que se indique en cada uno</translation>
     </message>
     <message>
@@ -5802,7 +5802,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Cada mes por separado</translation>
     </message>
     <message>
-        <source>Also sums the shadow of each month: bars in the dock Contributions, a table and maps in exports</source>
+        <source>Also sums the shadow of each month: bars in the panel Contributions, a table and maps in exports</source>
         <translation>Suma también la sombra de cada mes: barras en el panel Contribuciones, una tabla y mapas al exportar</translation>
     </message>
     <message>
@@ -5826,7 +5826,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>contribuciones</translation>
     </message>
     <message>
-        <source>Also finds what each building takes, for the dock Contributions and exports; takes up to twice as long.</source>
+        <source>Also finds what each building takes, for the panel Contributions and exports; takes up to twice as long.</source>
         <translation>Halla también lo que quita cada edificio, para el panel Contribuciones y las exportaciones; tarda hasta el doble.</translation>
     </message>
 </context>
@@ -6109,7 +6109,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>La tabla o el texto en que se hizo clic por última vez; si no, la imagen de la vista</translation>
     </message>
     <message>
-        <source>The figures of the dock Results, as a table</source>
+        <source>The figures of the panel Results, as a table</source>
         <translation>Las cifras del panel Resultados, como tabla</translation>
     </message>
     <message>
@@ -6178,7 +6178,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Cúpula de trayectorias solares</translation>
     </message>
     <message>
-        <source>The sun&apos;s paths of the months and the hours on a dome around what the camera looks at, or around the pin of the dock Point</source>
+        <source>The sun&apos;s paths of the months and the hours on a dome around what the camera looks at, or around the pin of the panel Point</source>
         <translation>Las trayectorias del sol de los meses y las horas en una cúpula en torno a lo que mira la cámara, o al alfiler del panel Punto</translation>
     </message>
 </context>
@@ -6333,7 +6333,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Ctrl+Shift+L</translation>
     </message>
     <message>
-        <source>Drag the corners and sides of the lot that is chosen in the dock Tower, or that the selected building stands on</source>
+        <source>Drag the corners and sides of the lot that is chosen in the panel Tower, or that the selected building stands on</source>
         <translation>Arrastre las esquinas y los lados de la parcela elegida en el panel Torre, o de aquella en la que está el edificio seleccionado</translation>
     </message>
     <message>
@@ -9574,7 +9574,7 @@ No: en el origen de la ciudad de los demás archivos.</translation>
     </message>
     <message>
         <source>No study yet.
-Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The answer then stands here.</source>
+Choose what, when and where in the panel Study, and press Run study (Ctrl+R). The answer then stands here.</source>
         <translation>Aún no hay estudio.
 Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La respuesta aparecerá aquí.</translation>
     </message>
@@ -10007,7 +10007,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>&amp;Puntuar todos los escenarios</translation>
     </message>
     <message>
-        <source>Computes the scores that the dock Scenarios lacks, with the table that the dock Weights shows</source>
+        <source>Computes the scores that the panel Scenarios lacks, with the table that the panel Weights shows</source>
         <translation>Calcula las puntuaciones que faltan en el panel Escenarios con la tabla del panel Pesos</translation>
     </message>
     <message>
@@ -10015,7 +10015,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>&amp;Revisar todos los escenarios</translation>
     </message>
     <message>
-        <source>Reviews the scenarios whose verdicts the dock Scenarios lacks, by the rule chosen in the dock Review</source>
+        <source>Reviews the scenarios whose verdicts the panel Scenarios lacks, by the rule chosen in the panel Review</source>
         <translation>Revisa los escenarios cuyos dictámenes faltan en el panel Escenarios, según la norma elegida en el panel Revisión</translation>
     </message>
     <message>
@@ -10124,7 +10124,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>Medir todos por meses</translation>
     </message>
     <message>
-        <source>No places have been measured: choose Sun by place in the dock Study, and press Measure all</source>
+        <source>No places have been measured: choose Sun by place in the panel Study, and press Measure all</source>
         <translation>No se han medido lugares: elija Sol por lugar en el panel Estudio y pulse Medir todo</translation>
     </message>
 </context>
@@ -10183,7 +10183,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>Dictámenes</translation>
     </message>
     <message>
-        <source>By the rule and the baseline that the dock Review shows; sorted by the number that fail, then by borderline ones</source>
+        <source>By the rule and the baseline that the panel Review shows; sorted by the number that fail, then by borderline ones</source>
         <translation>Según la norma y la referencia del panel Revisión; ordenados por el número de los que no cumplen y luego por los que están en el límite</translation>
     </message>
     <message>
@@ -10324,7 +10324,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         </translation>
     </message>
     <message>
-        <source>Not measured since buildings last changed: choose Sun by place in the dock Study, and press Measure all</source>
+        <source>Not measured since buildings last changed: choose Sun by place in the panel Study, and press Measure all</source>
         <translation>No se ha medido desde el último cambio de edificios: elija Sol por lugar en el panel Estudio y pulse Medir todo</translation>
     </message>
 </context>
@@ -10347,7 +10347,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>Puntuar todos</translation>
     </message>
     <message>
-        <source>Computes the missing scores with the table that the dock Weights shows</source>
+        <source>Computes the missing scores with the table that the panel Weights shows</source>
         <translation>Calcula las puntuaciones que faltan con la tabla del panel Pesos</translation>
     </message>
     <message>
@@ -10355,7 +10355,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>Revisar todos</translation>
     </message>
     <message>
-        <source>Reviews the scenarios without verdicts by the rule, the baseline and the places that are chosen in the dock Review</source>
+        <source>Reviews the scenarios without verdicts by the rule, the baseline and the places that are chosen in the panel Review</source>
         <translation>Revisa los escenarios sin dictámenes según la norma, la referencia y los lugares elegidos en el panel Revisión</translation>
     </message>
     <message>

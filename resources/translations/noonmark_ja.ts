@@ -188,7 +188,7 @@
         <translation>計算できなかったシナリオがあります</translation>
     </message>
     <message>
-        <source>The dock Scenarios says why in the row of each</source>
+        <source>The panel Scenarios says why in the row of each</source>
         <translation>理由はパネル「シナリオ」の各行にあります</translation>
     </message>
     <message>
@@ -244,7 +244,7 @@
         <translation>提案の影は規則の時間帯にどの場所にも届きません</translation>
     </message>
     <message>
-        <source>Run the rule on all places to have that stated for each</source>
+        <source>Review all places to have that stated for each</source>
         <translation>すべての場所で評価すると、それぞれについて示されます</translation>
     </message>
     <message>
@@ -5771,7 +5771,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>月ごとに分ける</translation>
     </message>
     <message>
-        <source>Also sums the shadow of each month: bars in the dock Contributions, a table and maps in exports</source>
+        <source>Also sums the shadow of each month: bars in the panel Contributions, a table and maps in exports</source>
         <translation>月ごとの影も合計: 「寄与」パネルの棒グラフ、書き出しの表と地図になります</translation>
     </message>
     <message>
@@ -5795,7 +5795,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>寄与</translation>
     </message>
     <message>
-        <source>Also finds what each building takes, for the dock Contributions and exports; takes up to twice as long.</source>
+        <source>Also finds what each building takes, for the panel Contributions and exports; takes up to twice as long.</source>
         <translation>各建物が奪う分も求めます（パネル「寄与」と書き出し用）。最大 2 倍の時間がかかります。</translation>
     </message>
 </context>
@@ -6077,7 +6077,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>最後にクリックした表または文字。なければ表示の画像</translation>
     </message>
     <message>
-        <source>The figures of the dock Results, as a table</source>
+        <source>The figures of the panel Results, as a table</source>
         <translation>「結果」の数値を表としてコピー</translation>
     </message>
     <message>
@@ -6146,7 +6146,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>太陽軌道ドーム</translation>
     </message>
     <message>
-        <source>The sun&apos;s paths of the months and the hours on a dome around what the camera looks at, or around the pin of the dock Point</source>
+        <source>The sun&apos;s paths of the months and the hours on a dome around what the camera looks at, or around the pin of the panel Point</source>
         <translation>カメラが見ている点、または「点」パネルのピンを中心とするドームに、各月の太陽の軌道と時刻を表示します</translation>
     </message>
 </context>
@@ -6299,7 +6299,7 @@ as published. Approximate: the legend states the measured error</source>
         <translation>Ctrl+Shift+L</translation>
     </message>
     <message>
-        <source>Drag the corners and sides of the lot that is chosen in the dock Tower, or that the selected building stands on</source>
+        <source>Drag the corners and sides of the lot that is chosen in the panel Tower, or that the selected building stands on</source>
         <translation>「塔」ドックで選んだ敷地、または選択した建物が建つ敷地の角と辺をドラッグします</translation>
     </message>
     <message>
@@ -9524,7 +9524,7 @@ Off: at the origin of the city from the other files.</source>
     </message>
     <message>
         <source>No study yet.
-Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The answer then stands here.</source>
+Choose what, when and where in the panel Study, and press Run study (Ctrl+R). The answer then stands here.</source>
         <translation>まだ検討がありません。
 「検討」パネルで対象、時期、場所を選び、計算 (Ctrl+R) を押してください。答えはここに表示されます。</translation>
     </message>
@@ -9955,7 +9955,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>全シナリオを採点(&amp;S)</translation>
     </message>
     <message>
-        <source>Computes the scores that the dock Scenarios lacks, with the table that the dock Weights shows</source>
+        <source>Computes the scores that the panel Scenarios lacks, with the table that the panel Weights shows</source>
         <translation>「シナリオ」パネルに欠けているスコアを「重み」パネルの表で計算します</translation>
     </message>
     <message>
@@ -9963,7 +9963,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>全シナリオを審査(&amp;R)</translation>
     </message>
     <message>
-        <source>Reviews the scenarios whose verdicts the dock Scenarios lacks, by the rule chosen in the dock Review</source>
+        <source>Reviews the scenarios whose verdicts the panel Scenarios lacks, by the rule chosen in the panel Review</source>
         <translation>「シナリオ」パネルに判定のないシナリオを、「審査」パネルで選んだ規定で審査します</translation>
     </message>
     <message>
@@ -10071,7 +10071,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>すべてを月別に測定</translation>
     </message>
     <message>
-        <source>No places have been measured: choose Sun by place in the dock Study, and press Measure all</source>
+        <source>No places have been measured: choose Sun by place in the panel Study, and press Measure all</source>
         <translation>場所はまだ測定されていません。「解析」パネルで「場所ごとの日照」を選び、「すべて測定」を押してください</translation>
     </message>
 </context>
@@ -10130,7 +10130,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>判定</translation>
     </message>
     <message>
-        <source>By the rule and the baseline that the dock Review shows; sorted by the number that fail, then by borderline ones</source>
+        <source>By the rule and the baseline that the panel Review shows; sorted by the number that fail, then by borderline ones</source>
         <translation>「審査」パネルの規定と比較基準による。不適合の数、次に境界の数で並べ替えます</translation>
     </message>
     <message>
@@ -10270,7 +10270,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         </translation>
     </message>
     <message>
-        <source>Not measured since buildings last changed: choose Sun by place in the dock Study, and press Measure all</source>
+        <source>Not measured since buildings last changed: choose Sun by place in the panel Study, and press Measure all</source>
         <translation>建物が最後に変わってから測定されていません。「解析」パネルで「場所ごとの日照」を選び、「すべて測定」を押してください</translation>
     </message>
 </context>
@@ -10293,7 +10293,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>すべて採点</translation>
     </message>
     <message>
-        <source>Computes the missing scores with the table that the dock Weights shows</source>
+        <source>Computes the missing scores with the table that the panel Weights shows</source>
         <translation>欠けているスコアを「重み」パネルの表で計算します</translation>
     </message>
     <message>
@@ -10301,7 +10301,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>すべて審査</translation>
     </message>
     <message>
-        <source>Reviews the scenarios without verdicts by the rule, the baseline and the places that are chosen in the dock Review</source>
+        <source>Reviews the scenarios without verdicts by the rule, the baseline and the places that are chosen in the panel Review</source>
         <translation>判定のないシナリオを、「審査」パネルで選んだ規定・比較基準・場所で審査します</translation>
     </message>
     <message>

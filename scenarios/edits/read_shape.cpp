@@ -95,7 +95,7 @@ Result<ImportMesh> readShape(const std::filesystem::path& file, const std::strin
                        "Export the building as a closed solid");
     if (*kind != FileKind::mesh || isLowered(whole, settings.stand)) {
         if (*kind == FileKind::mesh) warnings.push_back(describeLowered(whole, file));
-        const float footM = lowestM(whole);  // before the building is moved from: arguments have no order
+        const double footM = lowestM(whole);  // before the building is moved from: arguments have no order
         whole = liftBuilding(std::move(whole), -footM);
         redetectOverhangs(whole, [](glm::dvec2) { return 0.0F; });
     }

@@ -98,13 +98,13 @@ private:
         auto study = compare(before, after);
         while (auto other = chooseAnother(study, before, after)) {
             choice_ = std::move(other);
-            auto closer = compare(before, after);
-            if (study && !closer && !isCancelled(closer.error())) {
+            auto moreExact = compare(before, after);
+            if (study && !moreExact && !isCancelled(moreExact.error())) {
                 study->total.warnings.push_back(
-                    {WarningKind::leftOut, "a closer engine, which failed", closer.error().text()});
+                    {WarningKind::leftOut, "a more exact engine, which failed", moreExact.error().text()});
                 return study;
             }
-            study = std::move(closer);
+            study = std::move(moreExact);
         }
         return study;
     }
@@ -116,7 +116,7 @@ private:
         if (!study) return engine_->chooseInstead(*choice_, study.error());
         if (!study->error) return std::nullopt;
         const City* const cities[]{&before, &after};
-        return engine_->chooseCloser(*choice_, study->error->grossOff(), cities, common_.receivers, sun_);
+        return engine_->chooseMoreExact(*choice_, study->error->grossOff(), cities, common_.receivers, sun_);
     }
 
     Result<ImpactStudy> compare(const City& before, const City& after) {

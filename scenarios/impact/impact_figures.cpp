@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
-#include <ranges>
 
 #include "core/describe/command_options.h"
 #include "core/describe/text.h"
@@ -21,20 +21,20 @@ public:
     explicit Sum(double thresholdMin) : thresholdMin_(std::max(noChangeMin, thresholdMin)) {}
 
     void add(double change) {
-        figures_.gainedM2 += change > thresholdMin_;
-        figures_.lostM2 += change < -thresholdMin_;
+        figures_.moreShadowM2 += change > thresholdMin_;
+        figures_.lessShadowM2 += change < -thresholdMin_;
         figures_.anyMoreShadowM2 += change > noChangeMin;
         figures_.anyLessShadowM2 += change < -noChangeMin;
         figures_.meanMin += change;
-        figures_.maxGainedMin = std::max(figures_.maxGainedMin, change);
-        figures_.maxLostMin = std::max(figures_.maxLostMin, -change);
+        figures_.maxMoreShadowMin = std::max(figures_.maxMoreShadowMin, change);
+        figures_.maxLessShadowMin = std::max(figures_.maxLessShadowMin, -change);
     }
 
     [[nodiscard]] ChangeFigures figures(double cellM2, double receivers) const {
         if (std::isnan(figures_.meanMin)) return notComputed();
         ChangeFigures figures = figures_;
-        for (double* areaM2 :
-             {&figures.gainedM2, &figures.lostM2, &figures.anyMoreShadowM2, &figures.anyLessShadowM2})
+        for (double* areaM2 : {&figures.moreShadowM2, &figures.lessShadowM2, &figures.anyMoreShadowM2,
+                               &figures.anyLessShadowM2})
             *areaM2 *= cellM2;
         figures.meanMin = receivers > 0 ? figures.meanMin / receivers : 0;
         return figures;
@@ -45,13 +45,14 @@ private:
     ChangeFigures figures_;  // areas count cells until figures()
 };
 
-template <class Cells>
-ImpactFigures countCells(const Impact& impact, double thresholdMin, const Cells& cells) {
+template <class CellAt>
+ImpactFigures countCells(const Impact& impact, double thresholdMin, std::size_t count, CellAt cellAt) {
     const double cellM2 = impact.grid.cellAreaM2();
     ImpactFigures figures{.thresholdMin = thresholdMin};
     Sum gross(thresholdMin), continuous(thresholdMin);
     double receivers = 0;
-    for (const std::size_t i : cells) {
+    for (std::size_t turn = 0; turn < count; ++turn) {
+        const std::size_t i = cellAt(turn);
         figures.becameBuildingM2 += impact.change[i] == CellChange::becameBuilding ? cellM2 : 0;
         figures.becameGroundM2 += impact.change[i] == CellChange::becameGround ? cellM2 : 0;
         if (std::isnan(impact.grossMin[i])) continue;
@@ -71,7 +72,7 @@ ImpactFigures countCells(const Impact& impact, double thresholdMin, const Cells&
 }  // namespace
 
 ImpactFigures computeFigures(const Impact& impact, double thresholdMin) {
-    return countCells(impact, thresholdMin, std::views::iota(std::size_t{0}, impact.grossMin.size()));
+    return countCells(impact, thresholdMin, impact.grossMin.size(), std::identity());
 }
 
 ImpactFigures computeFigures(const ImpactStudy& study, double thresholdMin) {
@@ -89,7 +90,7 @@ ImpactFigures computeFigures(const Impact& impact, const Region& region, double 
 
 ImpactFigures computeFigures(const Impact& impact, const std::vector<std::uint32_t>& cells,
                              double thresholdMin) {
-    return countCells(impact, thresholdMin, cells);
+    return countCells(impact, thresholdMin, cells.size(), [&](std::size_t i) { return cells[i]; });
 }
 
 namespace {
@@ -110,14 +111,14 @@ double meanSunChangeMin(const ChangeFigures& figures) { return -figures.meanMin;
 
 const Figures<ChangeFigures>& changeFigures() {
     static const Figures<ChangeFigures> figures{
-        figure(&ChangeFigures::gainedM2,
+        figure(&ChangeFigures::moreShadowM2,
                {.key = "gained_m2",
                 .label = NM_TEXT("More shadow"),
                 .definition = NM_TEXT("area where the minutes rose by more than the threshold"),
                 .unit = FigureUnit::squareMetres,
                 .byThreshold = true,
                 .shownWith = ShownWith::shadow}),
-        figure(&ChangeFigures::lostM2,
+        figure(&ChangeFigures::lessShadowM2,
                {.key = "lost_m2",
                 .label = NM_TEXT("Less shadow"),
                 .definition = NM_TEXT("area where the minutes fell by more than the threshold"),
@@ -142,25 +143,25 @@ const Figures<ChangeFigures>& changeFigures() {
                                          .shownDecimals = 2,
                                          .isChange = true,
                                          .shownWith = ShownWith::shadow}),
-        figure(&ChangeFigures::maxGainedMin, {.key = "most_gained_min",
-                                              .label = NM_TEXT("Largest increase"),
-                                              .definition = NM_TEXT("the largest increase of a receiver"),
-                                              .decimals = 2,
-                                              .unit = FigureUnit::minutesADay,
-                                              .shownWith = ShownWith::shadow}),
-        figure(&ChangeFigures::maxLostMin, {.key = "most_lost_min",
-                                            .label = NM_TEXT("Largest decrease"),
-                                            .definition = NM_TEXT("the largest decrease of a receiver"),
-                                            .decimals = 2,
-                                            .unit = FigureUnit::minutesADay,
-                                            .shownWith = ShownWith::shadow}),
-        asSun(&ChangeFigures::gainedM2,
+        figure(&ChangeFigures::maxMoreShadowMin, {.key = "most_gained_min",
+                                                  .label = NM_TEXT("Largest increase"),
+                                                  .definition = NM_TEXT("the largest increase of a receiver"),
+                                                  .decimals = 2,
+                                                  .unit = FigureUnit::minutesADay,
+                                                  .shownWith = ShownWith::shadow}),
+        figure(&ChangeFigures::maxLessShadowMin, {.key = "most_lost_min",
+                                                  .label = NM_TEXT("Largest decrease"),
+                                                  .definition = NM_TEXT("the largest decrease of a receiver"),
+                                                  .decimals = 2,
+                                                  .unit = FigureUnit::minutesADay,
+                                                  .shownWith = ShownWith::shadow}),
+        asSun(&ChangeFigures::moreShadowM2,
               {.key = "sun_lost_m2",
                .label = NM_TEXT("Less sun"),
                .definition = NM_TEXT("area that lost more minutes of sun than the threshold"),
                .unit = FigureUnit::squareMetres,
                .byThreshold = true}),
-        asSun(&ChangeFigures::lostM2,
+        asSun(&ChangeFigures::lessShadowM2,
               {.key = "sun_gained_m2",
                .label = NM_TEXT("More sun"),
                .definition = NM_TEXT("area that gained more minutes of sun than the threshold"),
@@ -184,14 +185,14 @@ const Figures<ChangeFigures>& changeFigures() {
                        .isChange = true,
                        .shownWith = ShownWith::sunInstead,
                        .inFiles = false}),
-        asSun(&ChangeFigures::maxGainedMin, {.key = "sun_most_lost_min",
-                                             .label = NM_TEXT("Largest loss of sun"),
-                                             .definition = NM_TEXT("the most sun that a receiver loses"),
-                                             .unit = FigureUnit::minutesADay}),
-        asSun(&ChangeFigures::maxLostMin, {.key = "sun_most_gained_min",
-                                           .label = NM_TEXT("Largest gain of sun"),
-                                           .definition = NM_TEXT("the most sun that a receiver gains"),
-                                           .unit = FigureUnit::minutesADay}),
+        asSun(&ChangeFigures::maxMoreShadowMin, {.key = "sun_most_lost_min",
+                                                 .label = NM_TEXT("Largest loss of sun"),
+                                                 .definition = NM_TEXT("the most sun that a receiver loses"),
+                                                 .unit = FigureUnit::minutesADay}),
+        asSun(&ChangeFigures::maxLessShadowMin, {.key = "sun_most_gained_min",
+                                                 .label = NM_TEXT("Largest gain of sun"),
+                                                 .definition = NM_TEXT("the most sun that a receiver gains"),
+                                                 .unit = FigureUnit::minutesADay}),
     };
     return figures;
 }

@@ -7,16 +7,15 @@
 
 namespace noonmark {
 
-/// Totals of the change of one measure (gross or continuous shadow). Gained means more shadow, lost means
-/// less.
+/// Totals of the change of one measure (gross or continuous shadow).
 struct ChangeFigures {
-    double gainedM2 = 0;         ///< area where shadow rose by more than the threshold
-    double lostM2 = 0;           ///< area where shadow fell by more than the threshold
+    double moreShadowM2 = 0;     ///< area where shadow rose by more than the threshold
+    double lessShadowM2 = 0;     ///< area where shadow fell by more than the threshold
     double anyMoreShadowM2 = 0;  ///< area where shadow rose at all
     double anyLessShadowM2 = 0;  ///< area where shadow fell at all
     double meanMin = 0;          ///< over all receivers
-    double maxGainedMin = 0;
-    double maxLostMin = 0;  ///< >= 0
+    double maxMoreShadowMin = 0;
+    double maxLessShadowMin = 0;  ///< >= 0
 };
 
 /// The same with trees.

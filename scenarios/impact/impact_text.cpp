@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -76,6 +77,10 @@ Json definitions() {
     Json json{
         {"change", "the field of `to` minus the field of `from`, same engine, steps and receivers"},
         {"error", "of the change on a sample of receivers that the ray reference traced in both cities"},
+        {"proposal_in_region", "how much of what `to` builds stands in the region: whole, part or none"},
+        {"changes_at_edge",
+         "whether shadow changes beside the region's edge by more than the first threshold, so that some of "
+         "the change probably lies beyond"},
         {"by_building", "`to` minus `to` without this building: its sole contribution"}};
     json.update(definitionsJson(impactFigures().rows()));
     json.update(definitionsJson(changeFigures().rows()));
@@ -207,7 +212,7 @@ namespace {
 
 Sentence describeChange(const std::string& scenario, const ChangeFigures& change, ShownAs show) {
     const auto minutes = [](double value) { return Amount{value, FigureUnit::minutes}; };
-    if (change.maxGainedMin == 0 && change.maxLostMin == 0)
+    if (change.maxMoreShadowMin == 0 && change.maxLessShadowMin == 0)
         return {show == ShownAs::shadow ? NM_TEXT("%1 changes no shadow here")
                                         : NM_TEXT("%1 changes no sun here"),
                 {scenario}};
@@ -215,15 +220,15 @@ Sentence describeChange(const std::string& scenario, const ChangeFigures& change
     constexpr double minMeanMin = 0.5;  // less reads "0 min": the region is large, the change small
     if (std::abs(change.meanMin) < minMeanMin && change.meanMin >= 0)
         return {NM_TEXT("%1 takes sun from %2, at most %3 a day at one spot"),
-                {scenario, area(change.anyMoreShadowM2), minutes(change.maxGainedMin)}};
+                {scenario, area(change.anyMoreShadowM2), minutes(change.maxMoreShadowMin)}};
     if (std::abs(change.meanMin) < minMeanMin)
         return {NM_TEXT("%1 gives sun to %2, at most %3 a day at one spot"),
-                {scenario, area(change.anyLessShadowM2), minutes(change.maxLostMin)}};
+                {scenario, area(change.anyLessShadowM2), minutes(change.maxLessShadowMin)}};
     if (change.meanMin >= 0)
         return {NM_TEXT("%1 takes %2 of sun a day on average, at most %3 at one spot"),
-                {scenario, minutes(change.meanMin), minutes(change.maxGainedMin)}};
+                {scenario, minutes(change.meanMin), minutes(change.maxMoreShadowMin)}};
     return {NM_TEXT("%1 gives %2 of sun a day on average, at most %3 at one spot"),
-            {scenario, minutes(-change.meanMin), minutes(change.maxLostMin)}};
+            {scenario, minutes(-change.meanMin), minutes(change.maxLessShadowMin)}};
 }
 
 Sentence describeAreas(const ImpactFigures& figures, ShownAs show) {
@@ -232,8 +237,8 @@ Sentence describeAreas(const ImpactFigures& figures, ShownAs show) {
                 ? NM_TEXT("More shadow on %1, less on %2; by more than %3 a day on %4 and %5.")
                 : NM_TEXT("Less sun on %1, more on %2; by more than %3 a day on %4 and %5."),
             {area(figures.gross.anyMoreShadowM2), area(figures.gross.anyLessShadowM2),
-             Amount{figures.thresholdMin, FigureUnit::minutes}, area(figures.gross.gainedM2),
-             area(figures.gross.lostM2)}};
+             Amount{figures.thresholdMin, FigureUnit::minutes}, area(figures.gross.moreShadowM2),
+             area(figures.gross.lessShadowM2)}};
 }
 
 }  // namespace
@@ -284,6 +289,9 @@ std::string impactJson(const ImpactAnswer& answer) {
     json["error"] = answer.study.error ? errorJson(*answer.study.error, answer.study.frame) : Json();
     json["errors"] = answer.study.error ? errorsJson(listErrors(*answer.study.error, true)) : Json();
     json["impact"] = figuresJson(answer.study, answer.settings.thresholdsMin);
+    const BeyondRegion beyond = findBeyond(answer);
+    json["proposal_in_region"] = std::array{"whole", "part", "none"}[std::size_t(beyond.proposal)];
+    json["changes_at_edge"] = beyond.changesAtEdge;
     json["by_building"] = Json::array();
     for (const BuildingImpact& building : answer.study.byBuilding)
         json["by_building"].push_back(

@@ -79,22 +79,26 @@ Region makeRegionAround(const std::vector<std::shared_ptr<const Building>>& buil
     return around;
 }
 
-std::optional<Sentence> describeBeyond(const ImpactAnswer& answer) {
+BeyondRegion findBeyond(const ImpactAnswer& answer) {
     const Region& region = answer.settings.study.region;
-    const InRegion place = findInRegion(answer.proposal.buildings, region);
-    if (place == InRegion::none)
+    return {findInRegion(answer.proposal.buildings, region),
+            changesAtEdge(answer.study.total, region, answer.settings.thresholdsMin.front())};
+}
+
+std::optional<Sentence> describeBeyond(const ImpactAnswer& answer) {
+    const BeyondRegion beyond = findBeyond(answer);
+    if (beyond.proposal == InRegion::none)
         return Sentence{NM_TEXT("What %1 builds stands outside the region: the figures are of the shadow "
                                 "that reaches into it."),
                         {answer.to}};
-    if (place == InRegion::part)
+    if (beyond.proposal == InRegion::part)
         return Sentence{NM_TEXT("A part of what %1 builds stands outside the region: the figures are of "
                                 "the shadow in it."),
                         {answer.to}};
-    const double thresholdMin = answer.settings.thresholdsMin.front();
-    if (!changesAtEdge(answer.study.total, region, thresholdMin)) return std::nullopt;
+    if (!beyond.changesAtEdge) return std::nullopt;
     return Sentence{
         NM_TEXT("The change by more than %1 a day reaches the region's edge: beyond it is not measured."),
-        {Amount{thresholdMin, FigureUnit::minutes}}};
+        {Amount{answer.settings.thresholdsMin.front(), FigureUnit::minutes}}};
 }
 
 }  // namespace noonmark

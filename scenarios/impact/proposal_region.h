@@ -23,8 +23,13 @@ InRegion findInRegion(const std::vector<std::shared_ptr<const Building>>& buildi
 /// `buildings`: at least one.
 Region makeRegionAround(const std::vector<std::shared_ptr<const Building>>& buildings, const Region& region);
 
-/// What a comparison leaves out: its proposal stands outside the region, or changes shadow by more than the
-/// first threshold beside the region's edge, and probably beyond. None: neither. O(cells).
+/// What a comparison leaves out.
+struct BeyondRegion {
+    InRegion proposal = InRegion::whole;
+    bool changesAtEdge = false;  ///< by more than the first threshold beside the edge, and probably beyond
+};
+BeyondRegion findBeyond(const ImpactAnswer& answer);  ///< O(cells)
+/// The same as a sentence; none: nothing is known to be left out.
 std::optional<Sentence> describeBeyond(const ImpactAnswer& answer);
 
 }  // namespace noonmark

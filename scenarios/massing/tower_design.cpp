@@ -106,7 +106,8 @@ ScenarioUses sumUses(std::span<const Edit> edits) {
         for (const UseArea& area : areas.value_or(std::vector<UseArea>())) addTo(sums, area);
     }
     for (const auto& [name, area] : sums) uses.areas.push_back(area);
-    std::ranges::stable_partition(uses.areas, [](const UseArea& area) { return !area.use.empty(); });
+    std::stable_partition(uses.areas.begin(), uses.areas.end(),
+                          [](const UseArea& area) { return !area.use.empty(); });
     return uses;
 }
 

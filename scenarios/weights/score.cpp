@@ -324,9 +324,19 @@ Result<Score> runScore(const City& city, const StudySettings& settings, const Ti
         [&] { return placeAndScore(city, settings, weights, progress, stop, engines); });
 }
 
+TreeColumns columnOf(const Score& score, TreeColumns wanted) {
+    const auto with = std::ranges::find(score.withTrees, wanted, &ShadedScore::column);
+    return with == score.withTrees.end() || with->score.empty() ? TreeColumns::without : wanted;
+}
+
+const std::vector<float>& scoreInColumn(const Score& score, TreeColumns column) {
+    if (columnOf(score, column) == TreeColumns::without) return score.score;
+    return std::ranges::find(score.withTrees, column, &ShadedScore::column)->score;
+}
+
 std::shared_ptr<const Score> inColumn(const std::shared_ptr<const Score>& score, TreeColumns column) {
+    if (columnOf(*score, column) == TreeColumns::without) return score;
     const auto with = std::ranges::find(score->withTrees, column, &ShadedScore::column);
-    if (with == score->withTrees.end() || with->score.empty()) return score;
     auto made = std::make_shared<Score>(*score);
     static_cast<ScoreTotals&>(*made) = *with;
     made->score = with->score;

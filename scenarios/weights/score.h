@@ -78,6 +78,10 @@ struct Score : ScoreTotals {
     Warnings warnings;
 };
 
+/// The column that is shown where `wanted` is chosen: without trees where the score has no map of it.
+TreeColumns columnOf(const Score& score, TreeColumns wanted);
+/// The map of that column. Valid as long as the score.
+const std::vector<float>& scoreInColumn(const Score& score, TreeColumns column);
 /// The score of one column in place of that without trees, and no columns besides; itself where it has no map
 /// of that column. Its errors are those without trees and left out.
 std::shared_ptr<const Score> inColumn(const std::shared_ptr<const Score>& score, TreeColumns column);

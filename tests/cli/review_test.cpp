@@ -112,6 +112,8 @@ TEST_F(ReviewCommand, MayKeepToThePlacesInReach) {
     ASSERT_EQ(near.code, 0) << near.err;
     EXPECT_THAT(namesOf(near), testing::ElementsAre("Central Park"));
     EXPECT_THAT(near.json()["repeat"].get<std::string>(), HasSubstr("--in-reach"));
+    EXPECT_THAT(near.json()["warnings"].dump(),
+                AllOf(HasSubstr("does not reach it"), HasSubstr("Far Square")));
     asked[1] = "Far Square";
     EXPECT_THAT(review("ceqr", asked).err, HasSubstr("reaches no place"));
 }
@@ -273,6 +275,16 @@ TEST_F(ReviewOfFiles, StateTheTimeWithoutWritingAnything) {
     EXPECT_EQ(json["windows"], review({}).json()["windows"].size());
 }
 
+TEST_F(ReviewOfFiles, NeedAFolderOnlyForFiles) {
+    std::vector<std::string> asked{"review",       "run", city_,    "--rule",          "korea",
+                                   "--facades-of", "a",   "--zone", "Europe/Amsterdam"};
+    const CommandOutput without = noonmarkCli(asked);
+    EXPECT_EQ(without.code, 2);
+    EXPECT_THAT(without.err, HasSubstr("Give --out DIR"));
+    asked.emplace_back("--estimate");
+    EXPECT_EQ(noonmarkCli(asked).code, 0);
+}
+
 TEST_F(ReviewOfFiles, RepeatTheTextsOfTheTitleBlock) {
     const CommandOutput titled = review({"--title-project", "Mill House"});
     ASSERT_EQ(titled.code, 0) << titled.err;
@@ -285,6 +297,15 @@ TEST_F(ReviewOfFiles, HaveNoScenariosPlacesOrProjectsBeside) {
                                               "--zone", "Europe/Amsterdam", "--out", out_});
     EXPECT_EQ(places.code, 2);
     EXPECT_THAT(places.err, HasSubstr("reviewed in a project"));
+}
+
+TEST_F(ReviewCommand, PrintsTheSumsOfRulesAboutManyDays) {
+    const CommandOutput output = review("san-francisco-295", all_);
+    ASSERT_EQ(output.code, 0) << output.err;
+    EXPECT_THAT(output.out, AllOf(HasSubstr("Sums over the 365 days of the rule:"),
+                                  HasSubstr("  Central Park: shadow existing "),
+                                  HasSubstr("; most incremental shadow on ")));
+    EXPECT_THAT(review("ceqr", all_).out, testing::Not(HasSubstr("Sums over")));
 }
 
 TEST_F(ReviewCommand, EvaluatesTheWindowsOfAFileAndVerifiesTheReview) {

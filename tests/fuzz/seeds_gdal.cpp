@@ -83,7 +83,7 @@ void writeShapefile(const SeedFolder& seeds) {
 }
 
 void writeGeoTiff(const fs::path& file, GDALDataType type, std::array<double, 6> place, int epsg,
-                  const char* compression) {
+                  const char* compression, float stepM = 0) {
     constexpr int columns = 12, rows = 9;
     CPLStringList options;
     options.AddNameValue("COMPRESS", compression);
@@ -95,7 +95,8 @@ void writeGeoTiff(const fs::path& file, GDALDataType type, std::array<double, 6>
     crs.importFromEPSG(epsg);
     raster->SetSpatialRef(&crs);
     std::vector<float> elevations;
-    for (int i = 0; i < columns * rows; ++i) elevations.push_back(float(i % 7) + 2);
+    for (int i = 0; i < columns * rows; ++i)
+        elevations.push_back(float(i % 7) + 2 + (i % columns > 5 ? stepM : 0));
     raster->GetRasterBand(1)->SetNoDataValue(-9999);
     require(raster->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, columns, rows, elevations.data(), columns,
                                                rows, GDT_Float32, 0, 0) == CE_None,
@@ -110,6 +111,21 @@ void writeTerrains(const SeedFolder& seeds) {
     writeGeoTiff(file("askew.tif"), GDT_Float64, {586000, 9, 3, 4512000, 3, -9}, 26918, "NONE");
     writeGeoTiff(file("packed.tif"), GDT_Float32, {586000, 10, 0, 4512000, 0, -10}, 26918, "DEFLATE");
     writeGeoTiff(file("feet.tif"), GDT_Byte, {987000, 30, 0, 219000, 0, -30}, 2263, "LZW");
+}
+
+// In the format that fuzz_survey reads: a step of 9 m in the surface.
+void writeSurveys(const SeedFolder& seeds) {
+    constexpr std::array place{586000.0, 2.0, 0.0, 4512000.0, 0.0, -2.0};
+    for (const auto& [name, type] : {std::pair("metres", GDT_Float32), std::pair("whole", GDT_Int16)}) {
+        const fs::path dsm = seeds.file("survey.parts", "dsm.tif"),
+                       dtm = seeds.file("survey.parts", "dtm.tif");
+        writeGeoTiff(dsm, type, place, 26918, "NONE", 9);
+        writeGeoTiff(dtm, type, place, 26918, "NONE");
+        std::string bytes;
+        put(bytes, std::uint16_t(fs::file_size(dsm)));
+        seeds.write("survey", name, bytes + bytesOf(dsm) + bytesOf(dtm));
+    }
+    fs::remove_all(seeds.path / "survey.parts");
 }
 
 void writeCanopies(const SeedFolder& seeds) {
@@ -176,6 +192,7 @@ void makeGdalSeeds(const SeedFolder& seeds) {
     for (const char* name : {"gdal.gpkg", "ours.gpkg"}) shrink(seeds.path / "geopackage_bytes" / name);
     writeShapefile(seeds);
     writeTerrains(seeds);
+    writeSurveys(seeds);
     writeCanopies(seeds);
     writeMap(seeds);
     writePictures(seeds);

@@ -27,6 +27,16 @@ MeshObject box(const std::string& name, const std::string& parent) {
     return {name, {piece}, parent};
 }
 
+// A box at map coordinates that float32 does not hold.
+MeshObject boxOnMap(double easting, double northing) {
+    MeshObject object = box("house", "");
+    MeshPiece& piece = object.pieces.front();
+    piece.points.clear();
+    for (const glm::vec3 corner : corners)
+        addPoint(piece, glm::dvec3(corner) + glm::dvec3(easting, northing, 34));
+    return object;
+}
+
 std::string makeMapScene(std::initializer_list<MeshObject> objects) {
     std::string bytes;
     appendSceneHead(bytes);
@@ -87,6 +97,13 @@ void makeMeshSeeds(const SeedFolder& seeds) {
     seeds.write("mesh_scene", "box", makeMapScene({box("house", "")}));
     seeds.write("mesh_scene", "surfaces",
                 makeMapScene({box("WallSurface", "a"), box("RoofSurface", "a"), box("", "")}));
+    // The first byte chooses the system and the unit, as fuzz_mesh_on_map reads it.
+    seeds.write("mesh_on_map", "metres", std::string(1, '\0') + makeMapScene({boxOnMap(391800, 5819500)}));
+    seeds.write("mesh_on_map", "feet", '\1' + makeMapScene({boxOnMap(987000, 212000)}));
+    seeds.write("mesh_on_map", "dutch",
+                '\2' + makeMapScene({boxOnMap(91000, 437000), boxOnMap(91040, 437000)}));
+    seeds.write("mesh_on_map", "millimetres",
+                std::string(1, char(12)) + makeMapScene({boxOnMap(391800e3, 5819500e3)}));
     std::string error;
     appendSceneHead(error);
     appendError(error, {"what", "where", "advice"});

@@ -96,6 +96,20 @@ TEST(Map, ProposalsAreTintedAndWhatIsDemolishedIsOutlined) {
     EXPECT_EQ(at(24, 64), inside) << "the ground is shown where it stood";
 }
 
+TEST(Map, AChangedBuildingIsNotDemolished) {
+    City before = tests::syntheticStudy().city;
+    before.buildings.clear();
+    for (const char* id : {"changed", "gone"})
+        before.buildings.push_back(std::make_shared<const Building>(Building{.sourceId = id}));
+    City after = before;
+    after.buildings.pop_back();
+    const auto gone = findGone(before, after);
+    ASSERT_TRUE(gone);
+    ASSERT_EQ(gone->buildings.size(), 1U);
+    EXPECT_EQ(gone->buildings[0]->sourceId, "gone");
+    EXPECT_FALSE(findGone(before, before));
+}
+
 TEST(Map, EdgesOfCellsAreExact) {
     const Study study = tests::syntheticStudy();
     const QImage image = mapOf(study);

@@ -128,7 +128,7 @@ TEST(ScenarioTables, StateHeightImpactScoreAndVerdictsOrLeaveThemEmpty) {
     tower.heightM = 42;
     tower.answers.impact = ScenarioImpact{"Existing", {}};
     tower.answers.impact->figures.shadowAreaChangeM2 = -12.5;
-    tower.answers.impact->figures.gross.gainedM2 = 80;
+    tower.answers.impact->figures.gross.moreShadowM2 = 80;
     tower.answers.score = ScenarioScore{"default", {.scoreM2 = -340.25, .weightedShadeM2h = -1234.5}};
     tower.answers.verdicts = ScenarioVerdicts{"Boston Common", "Existing", {12, 1, 3, 2}};
     const auto fields = lastFieldsOf(scenariosCsv(two));

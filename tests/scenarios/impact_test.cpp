@@ -65,9 +65,9 @@ TEST(Impact, OfATowerInTheOpenIsItsShadow) {
     }
     const ImpactFigures figures = computeFigures(study.total);
     EXPECT_EQ(figures.becameBuildingM2, 400);
-    EXPECT_GT(figures.gross.gainedM2, 0);
-    EXPECT_LT(figures.gross.gainedM2, figures.gross.anyMoreShadowM2);
-    EXPECT_EQ(figures.gross.lostM2, 0);
+    EXPECT_GT(figures.gross.moreShadowM2, 0);
+    EXPECT_LT(figures.gross.moreShadowM2, figures.gross.anyMoreShadowM2);
+    EXPECT_EQ(figures.gross.lessShadowM2, 0);
 }
 
 TEST(Impact, SaysWhatStandsOrReachesBeyondTheRegion) {
@@ -89,6 +89,8 @@ TEST(Impact, SaysWhatStandsOrReachesBeyondTheRegion) {
     const AnswerPage page = makePage(answerOf(170, 60), LegendChoice());
     ASSERT_FALSE(page.findings.empty());
     EXPECT_THAT(formatText(page.findings.back()), testing::HasSubstr("outside the region"));
+    EXPECT_THAT(impactJson(answerOf(170, 60)), testing::HasSubstr(R"("proposal_in_region": "none")"));
+    EXPECT_THAT(impactJson(answerOf(20, 4)), testing::HasSubstr(R"("changes_at_edge": false)"));
 }
 
 TEST(Impact, ARegionAroundAProposalIsAsLargeAsBeforeOrAsThatNeeds) {
@@ -114,7 +116,7 @@ TEST(Impact, ThereAndBackAgainIsTheSameWithTheOtherSign) {
             ASSERT_EQ(there.total.grossMin[i], -back.total.grossMin[i]);
     }
     const ImpactFigures to = computeFigures(there.total), fro = computeFigures(back.total);
-    EXPECT_EQ(to.gross.gainedM2, fro.gross.lostM2);
+    EXPECT_EQ(to.gross.moreShadowM2, fro.gross.lessShadowM2);
     EXPECT_EQ(to.becameBuildingM2, fro.becameGroundM2);
     EXPECT_EQ(to.becameGroundM2, 100);
     EXPECT_EQ(to.becameBuildingM2, 400);
@@ -145,18 +147,18 @@ TEST(Impact, FiguresOfAFieldByHand) {
     impact.sunlitMinutesPerDay = 340;
     const ImpactFigures figures = computeFigures(impact);
     EXPECT_EQ(figures.receiverAreaM2, 20);
-    EXPECT_EQ(figures.gross.gainedM2, 4);  // 30 does not exceed the threshold of 30
-    EXPECT_EQ(figures.gross.lostM2, 4);
+    EXPECT_EQ(figures.gross.moreShadowM2, 4);  // 30 does not exceed the threshold of 30
+    EXPECT_EQ(figures.gross.lessShadowM2, 4);
     EXPECT_EQ(figures.gross.anyMoreShadowM2, 8);
     EXPECT_EQ(figures.gross.anyLessShadowM2, 8);
-    EXPECT_EQ(figures.gross.maxGainedMin, 40);
-    EXPECT_EQ(figures.gross.maxLostMin, 31);
+    EXPECT_EQ(figures.gross.maxMoreShadowMin, 40);
+    EXPECT_EQ(figures.gross.maxLessShadowMin, 31);
     EXPECT_NEAR(figures.gross.meanMin, 34.0 / 5, 1e-9);
     EXPECT_NEAR(figures.shadowAreaChangeM2, 34.0 * 4 / 340, 1e-9);
-    EXPECT_EQ(figures.continuous.lostM2, 4);
+    EXPECT_EQ(figures.continuous.lessShadowM2, 4);
     EXPECT_EQ(figures.becameBuildingM2, 4);
     const Region east = makeRegionFromLocalBox({{2, 0}, {6, 4}});
-    EXPECT_EQ(computeFigures(impact, east, 4).gross.lostM2, 4);
+    EXPECT_EQ(computeFigures(impact, east, 4).gross.lessShadowM2, 4);
     EXPECT_EQ(computeFigures(impact, east, 4).becameBuildingM2, 0);
 }
 
@@ -170,7 +172,7 @@ TEST(Impact, WithoutRunsTheirChangeIsUnknown) {
     answer.settings.thresholdsMin = {30};
     answer.study.total = impact;
     const ImpactFigures figures = computeFigures(impact);
-    EXPECT_EQ(figures.gross.gainedM2, 4);
+    EXPECT_EQ(figures.gross.moreShadowM2, 4);
     EXPECT_FALSE(hasRuns(figures));
     EXPECT_TRUE(std::isnan(figures.continuous.anyMoreShadowM2)) << "0 would say that nothing changed";
     const auto json = nlohmann::json::parse(impactJson(answer));

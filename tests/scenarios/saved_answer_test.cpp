@@ -107,7 +107,7 @@ TEST(SavedAnswers, AnImpactComesBackWithThresholdsAndBuildings) {
     EXPECT_EQ(std::ranges::count(back.impact.change, CellChange::becameBuilding), 25);
     ASSERT_EQ(back.figures.all.size(), 2U);
     EXPECT_EQ(back.figures.all[1].thresholdMin, 60);
-    EXPECT_EQ(back.figures.all[0].gross.gainedM2, wanted.all[0].gross.gainedM2);
+    EXPECT_EQ(back.figures.all[0].gross.moreShadowM2, wanted.all[0].gross.moreShadowM2);
     EXPECT_EQ(back.figures.all[0].becameBuildingM2, 100);
     ASSERT_EQ(back.figures.byBuilding.size(), 1U);
     EXPECT_EQ(back.figures.byBuilding[0].name, "t");

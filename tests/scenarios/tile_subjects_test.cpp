@@ -103,7 +103,8 @@ TEST_F(TileSubjects, ImpactEqualsThatOfOnePieceToTheLastBit) {
     EXPECT_GT(figures.gross.anyMoreShadowM2, 1000);
     EXPECT_NEAR(report.figures.at("touched_m2"), figures.gross.anyMoreShadowM2, 1e-6);
     EXPECT_NEAR(report.figures.at("eased_m2"), figures.gross.anyLessShadowM2, 1e-6);
-    EXPECT_NEAR(report.figures.at("gained_over_30_min_m2"), computeFigures(one.total).gross.gainedM2, 1e-6);
+    EXPECT_NEAR(report.figures.at("gained_over_30_min_m2"), computeFigures(one.total).gross.moreShadowM2,
+                1e-6);
     EXPECT_NEAR(report.figures.at("shadow_area_change_m2"), figures.shadowAreaChangeM2, 1e-6);
     EXPECT_EQ(report.figures.at("became_building_m2"), 400);
     EXPECT_EQ(report.figures.at("became_ground_m2"), 100);

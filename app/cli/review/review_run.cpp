@@ -54,7 +54,7 @@ Result<PlaceQuestion> makePlaceQuestion(const ReviewRunOptions& options, const R
     if (!taken) return tl::make_unexpected(taken.error());
     auto ground = prepareGround(options, source, reviewFileNames());
     if (!ground) return tl::make_unexpected(ground.error());
-    if (options.withProject && source.file)
+    if (options.withProject && source.file && !options.estimate)
         if (const auto may = checkCopy(*source.file, options.out); !may)
             return tl::make_unexpected(may.error());
     const ReviewSettings settings{options.settings.cellM, ground->zone, ground->year, true, true};
@@ -64,13 +64,38 @@ Result<PlaceQuestion> makePlaceQuestion(const ReviewRunOptions& options, const R
     return PlaceQuestion{std::move(asked), std::move(ground->sheets)};
 }
 
+Result<void> keepPlacesInReach(ReviewQuestion& question, const Console& console,
+                               const std::stop_token& stop) {
+    ProgressLine progress(console);
+    return findPlacesInReach(question, progress, stop).and_then([&](const PlacesInReach& found) {
+        return keepPlacesInReach(question, found);
+    });
+}
+
+Result<double> estimateSeconds(const ReviewQuestion& asked, const std::stop_token& stop) {
+    return estimateReviewSeconds(asked.rule, *asked.before, *asked.after, asked.places, asked.settings, stop);
+}
+
+/// "202 places: about 2 min"
+std::string describeCost(const ReviewQuestion& asked, double seconds) {
+    return fmt::format("{}: {}", countOf(asked.places.size(), "place"), describeDuration(seconds));
+}
+
+/// What takes long is announced.
+void announce(const ReviewQuestion& asked, const Console& console, const std::stop_token& stop) {
+    constexpr double longS = 10;
+    if (const auto seconds = estimateSeconds(asked, stop); seconds && *seconds >= longS)
+        console.err << describeCost(asked, *seconds) << std::endl;
+}
+
 Result<std::shared_ptr<const Answer>> measurePlaces(const ReviewRunOptions& options, ReviewQuestion question,
                                                     const ReviewSource& source, const Console& console) {
     const Interrupt interrupt;
-    ProgressLine progress(console);
     if (options.inReach)
-        if (const auto kept = keepPlacesInReach(question, progress, interrupt.token()); !kept)
+        if (const auto kept = keepPlacesInReach(question, console, interrupt.token()); !kept)
             return tl::make_unexpected(kept.error());
+    announce(question, console, interrupt.token());
+    ProgressLine progress(console);
     const Asked asked{.review = std::make_shared<const ReviewQuestion>(std::move(question)),
                       .reviewSource = std::make_shared<const ReviewSource>(source)};
     return reviewQuestion().compute(asked, progress, interrupt.token());
@@ -78,18 +103,15 @@ Result<std::shared_ptr<const Answer>> measurePlaces(const ReviewRunOptions& opti
 
 int estimatePlaces(const ReviewRunOptions& options, ReviewQuestion asked, const Console& console) {
     const Interrupt interrupt;
-    NoProgress progress;
     if (options.inReach)
-        if (const auto kept = keepPlacesInReach(asked, progress, interrupt.token()); !kept)
+        if (const auto kept = keepPlacesInReach(asked, console, interrupt.token()); !kept)
             return fail(console, kept.error(), exitUsage);
-    const auto seconds = estimateReviewSeconds(asked.rule, *asked.before, *asked.after, asked.places,
-                                               asked.settings, interrupt.token());
+    const auto seconds = estimateSeconds(asked, interrupt.token());
     if (!seconds) return fail(console, seconds.error(), exitUsage);
-    const std::size_t places = asked.places.size();
     if (options.json)
-        console.out << toJsonText({{"places", places}, {"estimated_seconds", *seconds}}) << '\n';
+        console.out << toJsonText({{"places", asked.places.size()}, {"estimated_seconds", *seconds}}) << '\n';
     else
-        console.out << fmt::format("{}: {}\n", countOf(places, "place"), describeDuration(*seconds));
+        console.out << describeCost(asked, *seconds) << '\n';
     return exitOk;
 }
 
@@ -120,6 +142,32 @@ void printTable(const ReviewStudy& study, std::ostream& out) {
     if (leftOut > 0) out << fmt::format("({} in review.csv)\n", countOf(leftOut, "more row"));
 }
 
+/// "Park: shadow existing 55.29 %, with the proposal 60.05 %, incremental 5.71 % of 11,512,774 m2 h of
+/// theoretical sun; most incremental shadow on 2026-12-14 (1,204 m2 h)"
+std::string describeSums(const PlaceReview& review) {
+    const ReviewTotals& sums = review.totals;
+    const auto share = [&](double m2h) {
+        return fmt::format("{:.2f} %", sums.theoreticalM2h > 0 ? 100 * m2h / sums.theoreticalM2h : 0.0);
+    };
+    std::string text =
+        fmt::format("{}: shadow existing {}, with the proposal {}, incremental {} of {} of theoretical sun",
+                    review.name, share(sums.baselineM2h), share(sums.scenarioM2h), share(sums.incrementalM2h),
+                    formatAreaHours(sums.theoreticalM2h, UnitSystem::metric));
+    if (sums.largestDay && sums.incrementalM2h > 0)
+        text += fmt::format("; most incremental shadow on {} ({})", formatText(*sums.largestDay),
+                            formatAreaHours(sums.largestDayM2h, UnitSystem::metric));
+    return text;
+}
+
+/// Of rules about a range of days.
+void printSums(const ReviewStudy& study, std::ostream& out) {
+    if (!study.rule.days.fixed.empty()) return;
+    out << fmt::format("Sums over the {:g} days of the rule:\n",
+                       study.places.empty() ? 0.0 : study.places.front().totals.days);
+    for (const PlaceReview& review : study.places) out << "  " << describeSums(review) << '\n';
+    out << '\n';
+}
+
 void printReview(const ReviewAnswer& answer, const ReviewSource& source, std::ostream& out) {
     const ReviewStudy& study = answer.study;
     Table heading;
@@ -133,6 +181,7 @@ void printReview(const ReviewAnswer& answer, const ReviewSource& source, std::os
     out << '\n';
     printTable(study, out);
     out << '\n';
+    printSums(study, out);
     for (const PlaceReview& review : study.places)
         out << fmt::format("{}: {}. {}\n", review.name, nameVerdict(review), describeReason(review));
     out << "\nNot checked:\n";
@@ -140,8 +189,8 @@ void printReview(const ReviewAnswer& answer, const ReviewSource& source, std::os
     printWarnings(out, statedWarnings(answer, source));
 }
 
-/// A rule about windows needs windows, and one about places places.
-Result<void> checkReceivers(const ReviewRunOptions& options, const Rule& rule) {
+/// A rule about windows needs windows, and one about places places; files need a folder.
+Result<void> checkOptions(const ReviewRunOptions& options, const Rule& rule) {
     const bool isOfGlazing = rule.receivers.surface == RuleSurface::windows;
     if (options.windows.asked() && !options.places.empty())
         return failure("Places and windows are not reviewed together", flags::places,
@@ -153,6 +202,8 @@ Result<void> checkReceivers(const ReviewRunOptions& options, const Rule& rule) {
         return failure("The rule is about places", rule.key, "Give --places NAMES or --places all");
     if (isOfGlazing && options.inReach)
         return failure("--in-reach is about places", "--in-reach", "Omit --in-reach");
+    if (options.out.empty() && !options.estimate)
+        return failure("The files need a folder", flags::out, "Give --out DIR");
     return {};
 }
 
@@ -181,8 +232,7 @@ int runReviewRun(const ReviewRunOptions& options, const Console& console) {
     if (!library) return fail(console, library.error(), exitUsage);
     const auto rule = findRule(*library, options.rule, options.rules);
     if (!rule) return fail(console, rule.error(), exitUsage);
-    if (const auto fits = checkReceivers(options, *rule); !fits)
-        return fail(console, fits.error(), exitUsage);
+    if (const auto fits = checkOptions(options, *rule); !fits) return fail(console, fits.error(), exitUsage);
     const auto source = openReviewSource(options, *library, console);
     if (!source) return fail(console, source.error(), exitUsage);
     return options.windows.asked() ? runGlazingReviews(options, *rule, *source, console)
@@ -222,8 +272,7 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
         .add_option(
             flags::out, options.out,
             "Folder for review.json, review.csv, sheets.pdf, shadows.dxf and shadows.gpkg; of windows "
-            "review.json, windows.csv, windows.gpkg and sheets.pdf")
-        ->required()
+            "review.json, windows.csv, windows.gpkg and sheets.pdf. Required, except with --estimate")
         ->type_name("DIR");
     addSheetOptions(command, options.sheets);
     addLegendOptions(command, options.sheets.layout.legend);

@@ -78,8 +78,9 @@ Result<ReviewGround> prepareGround(const ReviewRunOptions& options, const Review
     auto before = cityOf(project, from), after = cityOf(project, to);
     if (!before) return tl::make_unexpected(before.error());
     if (!after) return tl::make_unexpected(after.error());
-    if (const auto may = checkOutputs(options.out, fileNames, source.outputs); !may)
-        return tl::make_unexpected(may.error());
+    if (!options.estimate)
+        if (const auto may = checkOutputs(options.out, fileNames, source.outputs); !may)
+            return tl::make_unexpected(may.error());
     auto sheets = bookSettingsOf(options.sheets, project.sheets);
     if (!sheets) return tl::make_unexpected(sheets.error());
     return ReviewGround{{from, to, std::make_shared<const City>(std::move(before->city)),

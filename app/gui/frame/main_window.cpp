@@ -55,7 +55,6 @@ constexpr const char* placesListedKey = "places_listed";    // likewise: what th
 constexpr const char* comparedKey = "compared";             // likewise: two scenarios in the view
 constexpr const char* clockKey = "clock";                   // likewise: the moment whose sun is shown
 constexpr const char* inFrontProperty = "noonmarkInFront";  // of a dock: it is seen among its tabs
-constexpr int layoutVersion = 13;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
 constexpr int hintMs = 10000;

@@ -56,6 +56,10 @@ class ViewPanel;
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 public:
+    /// Of the places of panels in the settings: raised when panels come, go or move, so that layouts saved
+    /// before are not restored over them.
+    static constexpr int layoutVersion = 14;
+
     /// `settings` stores layout and recent files; it must outlive the window.
     /// `workbench`: the work of another window, which takeOver() then shows.
     explicit MainWindow(QSettings& settings,

@@ -80,7 +80,8 @@ constexpr int narrowSideWidth = 290;
 constexpr int widthOfThreeSides = 1500;  // of a window that has panels at left, right and below
 constexpr int narrowWidth = 190;
 constexpr int scrollBarWidth = 22;
-constexpr int lowShare = 3;  // of the window's height a dock below the view takes one part of so many
+constexpr int tabsWidth = 28;  // of names that stand upright beside panels
+constexpr int lowShare = 3;    // of the window's height a dock below the view takes one part of so many
 
 // Wraps the content in a scroll area, so that a dock can be smaller than its content.
 QScrollArea* scrolled(QWidget* content, int minWidth) {
@@ -158,7 +159,9 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     for (QDockWidget* beside : {rule, project, building, tower, trees, warnings})
         window.tabifyDockWidget(study, beside);
     study->raise();
-    window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);  // five names, on a narrow panel
+    // Five names and more, on narrow panels.
+    window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::West);
+    window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
     window.addDockWidget(Qt::RightDockWidgetArea, results);
     for (QDockWidget* beside : {places, contributions, scenarios, weights})
         window.tabifyDockWidget(results, beside);
@@ -169,7 +172,7 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     for (QDockWidget* dock :
          {rule, review, point, elements, results, places, contributions, scenarios, weights, warnings, trees})
         dock->hide();
-    window.resizeDocks({study}, {studyWidth}, Qt::Horizontal);
+    window.resizeDocks({study}, {studyWidth + tabsWidth}, Qt::Horizontal);
     QList<QAction*> toggles;
     for (QDockWidget* dock : {project, study, results, contributions, scenarios, weights, places, rule,
                               review, point, elements, building, tower, trees, warnings}) {

@@ -65,6 +65,8 @@ void Workbench::adoptProject(Result<OpenProject> opened, int version) {
     running_.drop();
     forgetAnswers();
     past_.reset();
+    pastOf_.reset();
+    shownOf_ = {};
     studies_.clear();
     comparison_ = {};
     measured_ = takeMeasured(opened->project);

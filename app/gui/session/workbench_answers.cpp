@@ -435,7 +435,7 @@ void Workbench::showSaved(const std::string& name) {
 void Workbench::showResult(const std::shared_ptr<const SavedResult>& result) {
     if (session_.cityOf(result->scenario)) session_.goTo(result->scenario);
     reading_.start<SharedAnswer>(
-        tr("Showing %1").arg(shownName(*result)),
+        tr("Showing %1").arg(shownName(result)),
         [result, project = session_.project(), questions = questions_](Progress&, const std::stop_token&) {
             return readSaved(result, project, questions);
         },
@@ -615,6 +615,7 @@ void Workbench::showByItself(const KnownAnswer& known) {
 void Workbench::showPast(SharedAnswer answer) {
     forgetAnswers();
     past_ = std::move(answer);
+    pastOf_.reset();
     Q_EMIT answered();
 }
 

@@ -299,10 +299,7 @@ std::vector<BookPage> intervalPages(const Score& score, const std::string& weigh
 // Which column a page states, where there are several.
 BookPage nameColumn(BookPage page, const Score& score, const LegendChoice& legend) {
     if (score.withTrees.empty()) return page;
-    const bool isThere =
-        std::ranges::find(score.withTrees, legend.trees, &ShadedScore::column) != score.withTrees.end();
-    const auto words = describeTrees(isThere ? legend.trees : TreeColumns::without);
-    page.subtitle = plainText(std::string(words)) + QStringLiteral(".");
+    page.subtitle = plainText(std::string(describeTrees(columnOf(score, legend.trees)))) + u'.';
     return page;
 }
 

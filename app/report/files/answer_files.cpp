@@ -51,11 +51,6 @@ std::vector<RasterBand> bandsOf(const Score& score) {
     return bands;
 }
 
-const std::vector<float>& scoreOfColumn(const Score& score, TreeColumns column) {
-    const auto with = std::ranges::find(score.withTrees, column, &ShadedScore::column);
-    return with == score.withTrees.end() || with->score.empty() ? score.score : with->score;
-}
-
 /// The files that comparison and score have in common, with their file name stem.
 struct AnswerTexts {
     std::string name;
@@ -135,7 +130,7 @@ Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, con
                        scoreCsv(answer), regionFileOf(answer.settings.region, answer.provenance, frame),
                        makeProvenanceTags(answer.provenance)},
                       makeSheet(answer, source, legend), score.grid, frame, bandsOf(score),
-                      scoreOfColumn(score, legend.trees), folder, rules, book, width);
+                      scoreInColumn(score, legend.trees), folder, rules, book, width);
 }
 
 std::vector<std::string> impactFileNames(const Provenance& provenance, bool withSheets) {

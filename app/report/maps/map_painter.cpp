@@ -7,6 +7,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
+#include <set>
+#include <string_view>
 
 #include "app/report/maps/city_painter.h"
 #include "core/base/units.h"
@@ -321,6 +323,14 @@ void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene, 
     canvas.painter.drawRect(view.target());
 }
 
+std::shared_ptr<const City> findGone(City onlyBefore, const City& after) {
+    std::set<std::string_view> ids;
+    for (const auto& building : after.buildings) ids.insert(building->sourceId);
+    std::erase_if(onlyBefore.buildings,
+                  [&](const auto& building) { return ids.contains(building->sourceId); });
+    return onlyBefore.buildings.empty() ? nullptr : std::make_shared<const City>(std::move(onlyBefore));
+}
+
 void paintMap(const Canvas& canvas, const MapView& view, const Study& study, ShadowMeasure measure) {
     paintMap(canvas, view, makeMapScene(study, measure));
 }
@@ -337,7 +347,10 @@ QStringList listNotes(const MapView& view, const MapScene& scene) {
     const bool hasProposal = scene.proposal && std::ranges::any_of(scene.proposal->buildings, isSeen);
     if (hasProposal || (!scene.fillOf && std::ranges::any_of(scene.city.buildings, isSeenProposal)))
         notes << QStringLiteral("violet: proposed");
-    if (scene.removed && std::ranges::any_of(scene.removed->buildings, isSeen))
+    const bool hasDesigned = scene.removed && std::ranges::any_of(scene.removed->buildings, isSeenProposal);
+    if (hasDesigned)
+        notes << QStringLiteral("orange line: in the baseline only");
+    else if (scene.removed && std::ranges::any_of(scene.removed->buildings, isSeen))
         notes << QStringLiteral("orange line: demolished");
     if (showsOverhangs(view, scene.city)) notes << QStringLiteral("dashed: open below");
     return notes;

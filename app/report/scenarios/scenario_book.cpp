@@ -92,8 +92,7 @@ SheetMap makeScenarioMap(const ScenarioStudies& scenarios, const ScenarioStudy& 
                          const Legend& legend) {
     const Study& study = *scenario.study;
     SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, coloursOf(legend)), legend};
-    City removed = keepOwnBuildings(scenarios.front().study->city, study.city);
-    if (!removed.buildings.empty()) map.scene.removed = std::make_shared<const City>(std::move(removed));
+    map.scene.removed = findGone(keepOwnBuildings(scenarios.front().study->city, study.city), study.city);
     return map;
 }
 
@@ -307,11 +306,11 @@ Result<std::vector<std::filesystem::path>> writeScenarioFiles(const ScenarioStud
                                                               const FailedScenarios& failed) {
     if (qGuiApp == nullptr) return failure("Reports need a QGuiApplication", folder.string());
     if (scenarios.empty())
-        return failure("No scenario has been measured", {}, "Press Measure all in the dock Scenarios");
+        return failure("No scenario has been measured", {}, "Press Measure all in the panel Scenarios");
     const Grid& grid = scenarios.front().study->field.grid;
     if (!std::ranges::all_of(scenarios, [&](const auto& one) { return one.study->field.grid == grid; }))
         return failure("The scenarios were measured on different cells", scenarios.front().name,
-                       "Press Measure all in the dock Scenarios");
+                       "Press Measure all in the panel Scenarios");
     if (auto may = checkOutputs(folder, scenarioFileNames(), rules); !may)
         return tl::make_unexpected(may.error());
     const Book book = makeScenarioBook(scenarios, sheets, failed);

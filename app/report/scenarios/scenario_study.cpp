@@ -69,7 +69,7 @@ Result<void> addScoring(std::vector<CommandOption>& options, const ScenarioStudi
     const auto& weights = scenarios.front().answers.score;
     const auto all =
         haveAll(scenarios, "scored with these weights",
-                "Press Score all in the dock Scenarios, then export again", [&](const ScenarioStudy& one) {
+                "Press Score all in the panel Scenarios, then export again", [&](const ScenarioStudy& one) {
                     return one.answers.score && (!weights || one.answers.score->weights == weights->weights);
                 });
     if (!all) return tl::make_unexpected(all.error());

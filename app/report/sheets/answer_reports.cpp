@@ -56,7 +56,7 @@ void addBuildings(std::vector<TextBlocks>& sections, const ComparisonFigures& fi
     for (const auto& building : figures.byBuilding)
         blocks.push_back(body(QStringLiteral("%1: %2 with more than %3 min a day of additional gross shadow")
                                   .arg(QString::fromStdString(building.name),
-                                       describeArea(building.figures.gross.gainedM2),
+                                       describeArea(building.figures.gross.moreShadowM2),
                                        describeAmount(building.figures.thresholdMin, 2))));
     sections.push_back(std::move(blocks));
 }
@@ -100,7 +100,7 @@ double mappedChangeMin(const ImpactAnswer& answer) {
 void zoomOnChange(const ImpactAnswer& answer, SheetMap& map) {
     map.scene.shown = zoomOn(changedGround(answer, mappedChangeMin(answer)), map.scene);
     if (!answer.proposal.buildings.empty()) map.scene.proposal = &answer.proposal;
-    if (!answer.removed.buildings.empty()) map.scene.removed = std::make_shared<const City>(answer.removed);
+    map.scene.removed = findGone(answer.removed, answer.proposal);
 }
 
 /// Rows for the new buildings: "New building", "Mill Tower, 62 m high".
@@ -239,7 +239,7 @@ SheetMap makeScoreMap(const Score& score, const City& city, const Region& region
     const std::shared_ptr<const Score> all(std::shared_ptr<void>(), &score);
     const std::shared_ptr<const Score> shown = inColumn(all, choice.trees);
     Legend legend = makeLegend(*shown, choice);
-    if (!score.withTrees.empty()) nameTrees(legend, shown == all ? TreeColumns::without : choice.trees);
+    if (!score.withTrees.empty()) nameTrees(legend, columnOf(score, choice.trees));
     return {{city, region, shown->grid,
              [shown, colours = coloursOf(legend)](int wantedPixels) {
                  const auto colour = [&](std::size_t cell) {

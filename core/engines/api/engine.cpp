@@ -63,11 +63,11 @@ std::optional<EngineChoice> Engine::chooseInstead(const EngineChoice& /*failed*/
     return std::nullopt;
 }
 
-std::optional<EngineChoice> Engine::chooseCloser(const EngineChoice& /*used*/,
-                                                 const SampledDeviation& /*off*/,
-                                                 std::span<const City* const> /*cities*/,
-                                                 const Receivers& /*receivers*/,
-                                                 const SunSteps& /*sun*/) const {
+std::optional<EngineChoice> Engine::chooseMoreExact(const EngineChoice& /*used*/,
+                                                    const SampledDeviation& /*off*/,
+                                                    std::span<const City* const> /*cities*/,
+                                                    const Receivers& /*receivers*/,
+                                                    const SunSteps& /*sun*/) const {
     return std::nullopt;
 }
 

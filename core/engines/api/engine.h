@@ -124,11 +124,11 @@ public:
     [[nodiscard]] virtual std::optional<EngineChoice> chooseInstead(const EngineChoice& failed,
                                                                     const Error& error) const;
     /// What is chosen where a sample of the choice's field is so far off; none: that is what it aims at.
-    [[nodiscard]] virtual std::optional<EngineChoice> chooseCloser(const EngineChoice& used,
-                                                                   const SampledDeviation& off,
-                                                                   std::span<const City* const> cities,
-                                                                   const Receivers& receivers,
-                                                                   const SunSteps& sun) const;
+    [[nodiscard]] virtual std::optional<EngineChoice> chooseMoreExact(const EngineChoice& used,
+                                                                      const SampledDeviation& deviation,
+                                                                      std::span<const City* const> cities,
+                                                                      const Receivers& receivers,
+                                                                      const SunSteps& sun) const;
 
 protected:
     [[nodiscard]] virtual Result<ShadowField> compute(const City& city, const Receivers& receivers,

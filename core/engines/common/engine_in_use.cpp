@@ -25,16 +25,16 @@ Result<ShadowField> EngineInUse::accumulate(const City& city, Progress& progress
     return choice_->accumulate(city, receivers_, sun_, progress, stop);
 }
 
-std::optional<EngineChoice> EngineInUse::closer(const SampledDeviation& off) const {
+std::optional<EngineChoice> EngineInUse::chooseMoreExact(const SampledDeviation& deviation) const {
     if (!choice_) return std::nullopt;
-    return asked_.chooseCloser(*choice_, off, cities_, receivers_, sun_);
+    return asked_.chooseMoreExact(*choice_, deviation, cities_, receivers_, sun_);
 }
 
-bool EngineInUse::switchToMoreExact(const SampledDeviation& off) {
-    auto other = closer(off);
+bool EngineInUse::switchToMoreExact(const SampledDeviation& deviation) {
+    auto other = chooseMoreExact(deviation);
     if (!other) return false;
     choice_ = std::move(other);
-    isCloser_ = true;
+    hasSwitched_ = true;
     return true;
 }
 
@@ -43,13 +43,13 @@ bool EngineInUse::sums(bool byBuilding) const {
     return byBuilding ? able.attribution : able.sets;
 }
 
-bool EngineInUse::attributionIsLessExact() const { return isCloser_ && !sums(true); }
+bool EngineInUse::attributionIsLessExact() const { return hasSwitched_ && !sums(true); }
 
 Result<ShadowBreakdown> EngineInUse::breakDown(const City& city, const StepSets& sets, bool byBuilding,
                                                Progress& progress, const std::stop_token& stop) const {
-    if (isCloser_ && sums(byBuilding))
+    if (hasSwitched_ && sums(byBuilding))
         return choice_->engine->breakDown(city, receivers_, sun_, sets, byBuilding, progress, stop);
-    if (isCloser_ && !byBuilding) return sumSetBySet(city, sets, progress, stop);
+    if (hasSwitched_ && !byBuilding) return sumSetBySet(city, sets, progress, stop);
     const Engine& engine = byBuilding ? asked_ : summing();
     return engine.breakDown(city, receivers_, sun_, sets, byBuilding, progress, stop);
 }
@@ -64,7 +64,7 @@ Result<ShadowBreakdown> EngineInUse::breakDownPart(const City& city, const Recei
 }
 
 bool EngineInUse::isIndependent() const {
-    if (isCloser_ && !sums(false)) return false;
+    if (hasSwitched_ && !sums(false)) return false;
     const Independence how = summing().capabilities().independence;
     return how == Independence::always || (how == Independence::onLevelGround && receivers_.flat());
 }

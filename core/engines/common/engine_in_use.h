@@ -41,11 +41,13 @@ public:
 
     /// Switches to a more exact engine if a sample of the field is off by more than the choice aims at.
     /// False: the field stands.
-    bool switchToMoreExact(const SampledDeviation& off);
-    [[nodiscard]] bool wouldSwitch(const SampledDeviation& off) const { return closer(off).has_value(); }
+    bool switchToMoreExact(const SampledDeviation& deviation);
+    [[nodiscard]] bool wouldSwitch(const SampledDeviation& deviation) const {
+        return chooseMoreExact(deviation).has_value();
+    }
 
 private:
-    [[nodiscard]] std::optional<EngineChoice> closer(const SampledDeviation& off) const;
+    [[nodiscard]] std::optional<EngineChoice> chooseMoreExact(const SampledDeviation& deviation) const;
     [[nodiscard]] bool sums(bool byBuilding) const;
     [[nodiscard]] const Engine& summing() const;
     [[nodiscard]] Result<ShadowBreakdown> sumSetBySet(const City& city, const StepSets& sets,
@@ -56,7 +58,7 @@ private:
     const Receivers& receivers_;
     const SunSteps& sun_;
     std::optional<EngineChoice> choice_;
-    bool isCloser_ = false;  // since a sample was off
+    bool hasSwitched_ = false;  // to a more exact engine
 };
 
 }  // namespace noonmark

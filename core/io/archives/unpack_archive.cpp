@@ -143,6 +143,22 @@ std::optional<fs::path> folderOfShapefiles(const std::vector<fs::path>& files) {
     return are ? std::optional(folder) : std::nullopt;
 }
 
+// Why an archive has no city: what is in it, where that is known by name.
+Error describeUnreadable(const fs::path& folder) {
+    for (const fs::path& file : listFiles(folder))
+        if (const Format* foreign =
+                fs::is_regular_file(file) ? findForeignFormat(readFileHead(file)) : nullptr)
+            return {fmt::format("The archive holds \"{}\": this is {}, which is not read",
+                                cleanText(file.filename().string()), foreign->name),
+                    {},
+                    std::string(foreign->instead),
+                    ErrorKind::unsupported};
+    return {"The archive holds no file of a format that is read",
+            {},
+            "Unpack it, and look at what is in it",
+            ErrorKind::unsupported};
+}
+
 Result<std::vector<fs::path>> findCities(const fs::path& folder) {
     const std::vector<Readable> readable = findReadable(folder);
     std::vector<std::string> names;
@@ -153,9 +169,7 @@ Result<std::vector<fs::path>> findCities(const fs::path& folder) {
     }
     const bool areTiles =
         std::ranges::all_of(readable, [](const Readable& one) { return one.kind == FileKind::cityJson; });
-    if (files.empty())
-        return unsupported("The archive holds no file of a format that is read", {},
-                           "Unpack it, and look at what is in it");
+    if (files.empty()) return tl::make_unexpected(describeUnreadable(folder));
     if (files.size() == 1 || areTiles) return files;
     if (const auto layers = folderOfShapefiles(files)) return std::vector{*layers};
     constexpr std::size_t mostNamed = 5;
@@ -215,6 +229,7 @@ void join(FilePiece& all, FilePiece tile) {
         moveTo(all.roofs, tile.roofs);
         all.roofs.resize(all.buildings.size());
     }
+    moveTo(all.trees, tile.trees);
     moveTo(all.warnings, tile.warnings);
     moveTo(all.heights.fields, tile.heights.fields);
     moveTo(all.heights.unknown, tile.heights.unknown);
@@ -224,7 +239,10 @@ void join(FilePiece& all, FilePiece tile) {
     if (!all.frame) all.frame = tile.frame;
     if (tile.terrain && all.terrain)
         all.warnings.push_back({WarningKind::leftOut, "a second terrain in the archive", all.format});
-    if (!all.terrain) all.terrain = std::move(tile.terrain);
+    if (!all.terrain) {
+        all.terrain = std::move(tile.terrain);
+        all.unknownPosts = std::move(tile.unknownPosts);
+    }
     if (all.format.empty()) all.format = std::move(tile.format);
     if (all.crs.empty()) all.crs = std::move(tile.crs);
     if (all.attribution.empty()) all.attribution = std::move(tile.attribution);

@@ -65,8 +65,9 @@ private:
 /// Brings the vertices into the order easting or longitude first, and `city.crs` into the form that
 /// parseCrs() takes; empty if the one of `settings` is to be used. The order is that of the system's
 /// authority if it is named by a URN or address, else easting or longitude first, unless only the other order
-/// puts the buildings into the system's area, or into the model's envelope. Error: no system is stated, or it
-/// is unknown and the settings have none.
+/// puts the buildings into the system's area, or into the model's envelope; or where both do, unless nine of
+/// ten buildings would be mirror images. Error: no system is stated, or it is unknown and the settings have
+/// none.
 Result<void> settleReference(CityGmlData& data, const ReadSettings& settings,
                              const std::filesystem::path& file);
 

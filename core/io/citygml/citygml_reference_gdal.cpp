@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "core/base/gdal_calls.h"
@@ -99,6 +100,33 @@ private:
     bool isAmbiguous_ = false;
 };
 
+// Six times what the faces enclose, in the file's order of axes: negative where they look inward.
+double signedVolume(const CityJsonBlock& block, const std::vector<Surface>& faces) {
+    double volume = 0;
+    if (faces.front().empty() || faces.front().front().empty()) return volume;
+    const glm::dvec3 from = block.vertices[faces.front().front().front()];
+    for (const Surface& face : faces)
+        for (const std::vector<std::uint32_t>& ring : face)
+            for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+                volume +=
+                    glm::dot(block.vertices[ring[0]] - from,
+                             glm::cross(block.vertices[ring[i]] - from, block.vertices[ring[i + 1]] - from));
+    return volume;
+}
+
+// Whether nearly all buildings would be mirror images, whose faces look inward.
+bool areMirrored(const CityGmlData& data, bool northFirst) {
+    std::size_t inward = 0, outward = 0;
+    for (const CityJsonBlock& block : data.city.blocks)
+        for (const CityJsonObject& object : block.objects) {
+            if (!object.body) continue;
+            for (const CityJsonBody& body : object.body->bodies)
+                if (!body.empty() && !body.front().empty())
+                    ++((signedVolume(block, body.front()) < 0) == northFirst ? outward : inward);
+        }
+    return inward > 9 * outward;
+}
+
 void swapAxes(CityGmlData& data) {
     for (CityJsonBlock& block : data.city.blocks)
         for (glm::dvec3& vertex : block.vertices) std::swap(vertex.x, vertex.y);
@@ -182,12 +210,20 @@ Result<void> settleReference(CityGmlData& data, const ReadSettings& settings,
     const bool northFirst = system->EPSGTreatsAsLatLong() != 0 || system->EPSGTreatsAsNorthingEasting() != 0;
     const bool expected = byAuthority && northFirst;
     AxisOrder order(*crs, data);
-    const bool found = order.decide(expected);
-    if (found != expected && byAuthority)
+    bool found = order.decide(expected);
+    const bool isMirrored = found == expected && order.isAmbiguous() && areMirrored(data, found);
+    if (isMirrored) {
+        found = !found;
+        data.city.warnings.push_back(
+            {WarningKind::repaired,
+             NM_TEXT("the coordinates are taken in the other order than that of their reference system, in "
+                     "which the buildings are mirror images"),
+             fmt::format("{} ({})", file, crs->name())});
+    } else if (found != expected && byAuthority)
         data.city.warnings.push_back({WarningKind::repaired,
                                       "the coordinates are not in the order of their reference system",
                                       fmt::format("{} ({})", file, crs->name())});
-    if (order.isAmbiguous() && !byAuthority && northFirst)
+    if (order.isAmbiguous() && !isMirrored && !byAuthority && northFirst)
         data.city.warnings.push_back({WarningKind::assumed,
                                       NM_TEXT("the coordinates are read as longitude or easting first"),
                                       fmt::format("{} ({})", file, crs->name())});

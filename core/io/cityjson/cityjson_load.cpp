@@ -10,6 +10,7 @@
 #include <streambuf>
 #include <string>
 
+#include "core/base/cgroup_limits.h"
 #include "core/describe/text.h"
 #include "core/io/files/json_nesting.h"
 #include "core/io/files/plain_file.h"
@@ -357,7 +358,8 @@ private:
     Transform transform_;
 };
 
-constexpr std::uintmax_t maxValueBytes = std::uintmax_t(1) << 30;  // some 10 GB of memory
+// Some 10 GB of memory for a city; 24 for empty lists, so that the memory itself is watched, too.
+constexpr std::uintmax_t maxValueBytes = std::uintmax_t(1) << 30;
 
 /// The file's bytes, which end where the first value is nested too deep, and where one is too long.
 class BoundedJson : private std::streambuf, public std::istream {
@@ -382,6 +384,10 @@ private:
             limit_ = limitReached("One of its values has more than 1 GB", {},
                                   "Divide it, or export it as CityJSONSeq, a feature a line")
                          .value();
+        else if (++pieces_ % piecesBetweenLooks == 0 && memory_.isShort())
+            limit_ = limitReached("It needs more than three quarters of the free memory", {},
+                                  "Divide it, export it as CityJSONSeq, or close other programs")
+                         .value();
         if (limit_ || count == 0) return Traits::eof();
         left_ -= count;
         setg(piece_.data(), piece_.data(), piece_.data() + count);
@@ -393,6 +399,9 @@ private:
     bool isFirst_ = true;
     std::uintmax_t left_ = maxValueBytes;
     std::optional<Error> limit_;
+    MemoryWatch memory_;
+    std::size_t pieces_ = 0;
+    static constexpr std::size_t piecesBetweenLooks = 64;  // 4 MB: at most 100 MB of memory
     std::array<char, 1U << 16U> piece_{};
 };
 

@@ -19,6 +19,9 @@ Result<const Format*> detectFormatWithGdal(const std::filesystem::path& file, Fo
             return terrain;
     for (const auto* tried : {&vectors, &raster})
         if (!*tried && !isUnknownFormat(tried->error())) return tl::make_unexpected(tried->error());
+    if (std::error_code ignored; std::filesystem::is_directory(file, ignored))
+        return failure("This folder is no file geodatabase and holds no Shapefiles", file.string(),
+                       "Name the files in it (tiles plan takes a folder of 3D city models)");
     return failure("This file is not in a supported format", file.string(),
                    "Noonmark reads " + listNames({FileKind::footprints, FileKind::cityJson, FileKind::mesh,
                                                   FileKind::terrain},

@@ -10,6 +10,7 @@
 #include "core/io/files/readable_text.h"
 #include "core/io/footprints/feature_facts.h"
 #include "core/io/footprints/footprint_layer.h"
+#include "core/io/footprints/ogr_polygons.h"
 #include "core/io/heights/height_text.h"
 #include "core/io/layers/feature_stream.h"
 #include "core/io/pieces/read_part.h"
@@ -110,20 +111,11 @@ bool isOutlineZ(const std::string& chosen, const OGRFeatureDefn& definition, con
             std::ranges::any_of(sample.features, [](const auto& one) { return std::isfinite(one.topZ); }));
 }
 
-// A face of a solid that stands upright has no area in plan.
-bool isUprightFace(const OGRGeometry& face) {
-    OGREnvelope3D box;
-    face.getEnvelope(&box);
-    const double width = box.MaxX - box.MinX, depth = box.MaxY - box.MinY;
-    return box.MaxZ - box.MinZ > 0.5 &&
-           face.toSurface()->get_Area() <= 1e-6 * (width * width + depth * depth);
-}
-
 // Whether a geometry consists of the faces of a solid, as a multipatch does.
 bool isSolid(const OGRGeometry& geometry) {
     const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
     if (geometry.Is3D() == FALSE) return false;
-    if (type == wkbPolygon || type == wkbTriangle) return isUprightFace(geometry);
+    if (isUprightFace(geometry)) return true;
     const auto any = [](const auto& faces) {
         return std::any_of(faces.begin(), faces.end(),
                            [](const OGRGeometry* face) { return isSolid(*face); });

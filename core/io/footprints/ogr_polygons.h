@@ -23,8 +23,12 @@ namespace noonmark {
 /// A polygon in the file's own coordinates: the outer ring, then holes.
 using CrsPolygon = std::vector<std::vector<glm::dvec2>>;
 
+/// Whether a polygon with elevations stands upright, as the walls of a solid do: it has no area in plan.
+bool isUprightFace(const OGRGeometry& face);
+
 /// Every polygon in a geometry, seen from above, including those in collections and curved ones (as straight
-/// pieces). Points, lines and empty polygons are skipped. Backend: ogr_polygons_gdal.cpp.
+/// pieces). Points, lines, empty polygons and the upright faces of solids are skipped. Backend:
+/// ogr_polygons_gdal.cpp.
 std::vector<CrsPolygon> readPolygons(const OGRGeometry& geometry);
 
 /// Transforms polygons of one coordinate system to local metres. Not thread-safe. Backend:

@@ -36,17 +36,38 @@ void collect(const OGRPolygon& polygon, std::vector<CrsPolygon>& polygons) {
             rings.push_back(pointsOf(*polygon.getInteriorRing(i)));
 }
 
+void collect(const OGRGeometry& geometry, std::vector<CrsPolygon>& polygons);
+
+// Of a solid those faces that show in plan.
+template <class Faces>
+void collectFaces(const Faces& faces, std::vector<CrsPolygon>& polygons) {
+    const bool anyInPlan = std::any_of(faces.begin(), faces.end(),
+                                       [](const OGRGeometry* face) { return !isUprightFace(*face); });
+    for (const OGRGeometry* face : faces)
+        if (!anyInPlan || !isUprightFace(*face)) collect(*face, polygons);
+}
+
 void collect(const OGRGeometry& geometry, std::vector<CrsPolygon>& polygons) {
     const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
     if (type == wkbPolygon || type == wkbTriangle)
         collect(*geometry.toPolygon(), polygons);
     else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection))
-        for (const OGRGeometry* part : *geometry.toGeometryCollection()) collect(*part, polygons);
+        collectFaces(*geometry.toGeometryCollection(), polygons);
     else if (OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface))
-        for (const OGRGeometry* face : *geometry.toPolyhedralSurface()) collect(*face, polygons);
+        collectFaces(*geometry.toPolyhedralSurface(), polygons);
 }
 
 }  // namespace
+
+bool isUprightFace(const OGRGeometry& face) {
+    const OGRwkbGeometryType type = wkbFlatten(face.getGeometryType());
+    if (face.Is3D() == FALSE || (type != wkbPolygon && type != wkbTriangle)) return false;
+    OGREnvelope3D box;
+    face.getEnvelope(&box);
+    const double width = box.MaxX - box.MinX, depth = box.MaxY - box.MinY;
+    return box.MaxZ - box.MinZ > 0.5 &&
+           face.toSurface()->get_Area() <= 1e-6 * (width * width + depth * depth);
+}
 
 std::vector<CrsPolygon> readPolygons(const OGRGeometry& geometry) {
     std::vector<CrsPolygon> polygons;

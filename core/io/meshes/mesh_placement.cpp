@@ -1,6 +1,7 @@
 #include "core/io/meshes/mesh_placement.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -206,6 +207,27 @@ UpAxis decideUpAxis(const MeshScene& scene, const MeshFile& file, const ReadSett
     return guess->axis;
 }
 
+// No town is as high as this, unless its unit is a smaller one than the metre.
+void doubtUnit(const std::vector<glm::dvec3>& points, bool yUp, const MeshFile& file,
+               const ReadSettings& settings, Warnings& warnings) {
+    constexpr double doubtedM = 700;
+    if (statedUnit(file, settings) || settings.meshScale != 1) return;
+    const auto height = [&](const glm::dvec3& point) { return yUp ? point.y : point.z; };
+    const auto [low, high] = std::ranges::minmax(points, {}, height);
+    const double units = height(high) - height(low);
+    if (units < doubtedM) return;
+    std::vector<std::string> others;
+    for (const LengthUnit unit :
+         {LengthUnit::feet, LengthUnit::inches, LengthUnit::centimetres, LengthUnit::millimetres})
+        if (const double heightM = units * metresPer(unit); heightM > 2 && heightM < doubtedM)
+            others.push_back(fmt::format("{}: {:.1f} m", entryOf(unit).key, heightM));
+    warnings.push_back(
+        {WarningKind::assumed,
+         fmt::format("the file states no unit; in metres the mesh is {:.0f} m high ({}; {} states it)", units,
+                     fmt::join(others, ", "), readOption("mesh_unit")),
+         file.name});
+}
+
 bool isNearOrigin(const std::vector<glm::dvec3>& points, double metresPerUnit) {
     double maxM = 0;
     for (const int axis : {0, 1, 2}) maxM = std::max(maxM, std::abs(middleOf(points, axis)) * metresPerUnit);
@@ -257,6 +279,7 @@ Result<MeshPlacement> MeshPlacement::of(const MeshScene& scene, const MeshFile& 
     }
     if (!settings.frame && !settings.meshAnchor)
         return failure("The mesh has no position", file.path, anchorAdvice());
+    doubtUnit(points, placement.yUp_, file, settings, warnings);
     placement.placeAboutOrigin(settings);
     placement.zeroM_ = file.zeroM;
     return placement;

@@ -29,6 +29,7 @@ struct Source {
     GDALDatasetUniquePtr dataset;  // of one band
     std::string file;
     std::string crs;
+    CrsSource crsSource = CrsSource::file;
     std::array<double, 6> geoTransform{};
     double metresPerValue = 1;
     std::string noData;  // value to be taken as no data though the file does not say so; empty if none
@@ -68,7 +69,10 @@ Result<Source> openSource(const std::filesystem::path& file, const ReadSettings&
     if (source.dataset->GetRasterCount() > 1) keepFirstBand(source);
     if (!source.dataset) return failure("The terrain's first band cannot be read", source.file);
     source.crs = wktOf(source.dataset->GetSpatialRef());
-    if (source.crs.empty()) source.crs = settings.crs.value_or("");
+    if (source.crs.empty()) {
+        source.crs = settings.crs.value_or("");
+        source.crsSource = CrsSource::user;
+    }
     if (source.crs.empty())
         return failure("The terrain has no coordinate reference system", source.file, crsAdvice());
     if (source.dataset->GetGeoTransform(source.geoTransform.data()) != CE_None)
@@ -333,7 +337,8 @@ Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& se
     Result<std::vector<float>> elevations = elevationsOf(*source, *place, watcher, gdal);
     if (!elevations) return tl::make_unexpected(elevations.error());
     FilePiece piece{.warnings = std::move(source->warnings),
-                    .format = source->dataset->GetDriver()->GetMetadataItem(GDAL_DMD_LONGNAME)};
+                    .format = source->dataset->GetDriver()->GetMetadataItem(GDAL_DMD_LONGNAME),
+                    .crs = describeCrs(crs->name(), source->crsSource)};
     if (const auto finished = finishTerrain(*place, *std::move(elevations), settings, source->file, piece);
         !finished)
         return tl::make_unexpected(finished.error());

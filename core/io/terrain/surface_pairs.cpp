@@ -58,7 +58,6 @@ SurfaceFit compareRasters(const FilePiece& surface, const FilePiece& below) {
             const glm::dvec2 at = posts.centre(column, row);
             if (isUnknown(surface, post) || beyondM(ground.grid, at) > 0) continue;
             const float aboveM = surface.terrain->elevationM[post] - elevationAt(ground, at);
-            fit.raised += aboveM > leastRaisedM ? 1 : 0;
             if (!isGapAt(below, at)) above.push_back(aboveM);
         }
     if (above.empty()) return fit;

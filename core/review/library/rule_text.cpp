@@ -197,7 +197,7 @@ std::vector<Sentence> listLeastCertain(const Rule& rule) {
     return names;
 }
 
-std::string nameLeastCertain(const Rule& rule) {
+std::string describeLeastCertain(const Rule& rule) {
     std::vector<std::string> names;
     for (const Sentence& name : listLeastCertain(rule)) {
         std::vector<std::string> of;
@@ -205,7 +205,9 @@ std::string nameLeastCertain(const Rule& rule) {
         if (std::string text = fillIn(name.source, of); std::ranges::find(names, text) == names.end())
             names.push_back(std::move(text));
     }
-    return fmt::format("{}", fmt::join(names, ", "));
+    const FigureStatus status = findLeastCertain(rule);
+    return fmt::format("Least certain of what the verdicts rest on: {} ({}: {}).", fmt::join(names, ", "),
+                       ruleNameOf(figureStatusNames(), status), meaningOf(status));
 }
 
 std::string describeRule(const Rule& rule) {

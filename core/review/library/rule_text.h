@@ -15,9 +15,10 @@ std::string describeRule(const Rule& rule);
 /// "V", "R" or "U": the least certain status (FigureStatus) among the figures that a verdict rests on.
 FigureStatus findLeastCertain(const Rule& rule);
 
-/// Which of those figures have that status: "the hours", "the limit of Longest shadow".
+/// Which of those figures have that status: "the hours", "the limit of 'Longest shadow'".
 std::vector<Sentence> listLeastCertain(const Rule& rule);
-/// "the hours, the clock"
-std::string nameLeastCertain(const Rule& rule);
+/// "Least certain of what the verdicts rest on: the hours, the clock (U: not checked against the rule's
+/// text)."
+std::string describeLeastCertain(const Rule& rule);
 
 }  // namespace noonmark

@@ -46,7 +46,7 @@ public:
     /// The engine that was chosen; empty: the one asked for chooses none.
     [[nodiscard]] std::string_view chosenKey() const { return engine_.chosenKey(); }
 
-    /// Goes on to a closer engine where a sample of the first city is off; false: it stands.
+    /// Switches to a more exact engine where a sample of the first city is off; false: it stands.
     bool switchToMoreExact(const SampledDeviation& off) { return engine_.switchToMoreExact(off); }
 
 private:

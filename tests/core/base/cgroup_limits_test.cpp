@@ -63,5 +63,26 @@ TEST_F(ReadCgroupLimits, AreNoneWhereFilesAreMissingOrHoldNoNumbers) {
     EXPECT_FALSE(countThreads({}));
 }
 
+TEST(AvailableMemory, IsReadFromTheSystem) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.file(
+        "meminfo", "MemTotal:       24000000 kB\nMemFree: 7 kB\nMemAvailable:    2048 kB\nBuffers: 1 kB\n");
+    EXPECT_EQ(measureAvailableMemory(file), 2048U * 1024U);
+    EXPECT_EQ(measureAvailableMemory(folder.file("old", "MemTotal: 5 kB\n")), std::nullopt);
+    EXPECT_EQ(measureAvailableMemory(folder.path("missing")), std::nullopt);
+}
+
+TEST(MemoryWatch, IsShortWhereAQuarterIsLeft) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.file("meminfo", "MemAvailable: 4000 kB\n");
+    const MemoryWatch watch(file);
+    EXPECT_FALSE(watch.isShort());
+    (void)folder.file("meminfo", "MemAvailable: 1001 kB\n");
+    EXPECT_FALSE(watch.isShort());
+    (void)folder.file("meminfo", "MemAvailable: 999 kB\n");
+    EXPECT_TRUE(watch.isShort());
+    EXPECT_FALSE(MemoryWatch(folder.path("missing")).isShort()) << "unknown";
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -122,7 +122,7 @@ TEST(AutoEngine, GoesOnToAnExactEngineWhereASampleMissesTheTarget) {
         const City* const cities[]{&city};
         const auto used = AutoEngine().choose(cities, receivers, sun);
         EXPECT_EQ(used->key, "horizon");
-        return AutoEngine().chooseCloser(*used, off, cities, receivers, sun);
+        return AutoEngine().chooseMoreExact(*used, off, cities, receivers, sun);
     };
     const Receivers strip = receiversOver(level, 30, -200, 32, 200);
     EXPECT_FALSE(closerThan(level, strip, {0.04, 0.004})) << "within the target";
@@ -146,11 +146,11 @@ TEST(AutoEngine, GoesOnFromNoExactEngineAndFromNoBinsThatWereSet) {
     const SunSteps sun = evenDays(150, 480);
     const SampledDeviation far{3, 0.1};
     const EngineChoice exact{"projected", nullptr, ""}, sweep{"horizon", nullptr, ""};
-    EXPECT_FALSE(AutoEngine().chooseCloser(exact, far, cities, receivers, sun));
-    EXPECT_TRUE(AutoEngine().chooseCloser(sweep, far, cities, receivers, sun));
-    EXPECT_FALSE(AutoEngine({.binDeg = 2}).chooseCloser(sweep, far, cities, receivers, sun));
+    EXPECT_FALSE(AutoEngine().chooseMoreExact(exact, far, cities, receivers, sun));
+    EXPECT_TRUE(AutoEngine().chooseMoreExact(sweep, far, cities, receivers, sun));
+    EXPECT_FALSE(AutoEngine({.binDeg = 2}).chooseMoreExact(sweep, far, cities, receivers, sun));
     EXPECT_FALSE(
-        AutoEngine({.errorTargetPercent = 1}).chooseCloser(sweep, {0.9, 0.1}, cities, receivers, sun));
+        AutoEngine({.errorTargetPercent = 1}).chooseMoreExact(sweep, {0.9, 0.1}, cities, receivers, sun));
 }
 
 TEST(AutoEngine, AStopIsNoRefusal) {

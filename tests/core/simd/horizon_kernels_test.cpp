@@ -39,13 +39,13 @@ WallOnBlock anyWall(Random& random) {
 }
 
 /// A wall or an edge seen from one cell.
-struct SeenEdge {
+struct KernelEdge {
     bool shades;
     float cot;
 };
 
 // `perRise`: for walls, which all cells see at the same rise.
-SeenEdge seeWall(const WallOnBlock& wall, const BlockRows& rows, int row, int place, float perRise) {
+KernelEdge seeWall(const WallOnBlock& wall, const BlockRows& rows, int row, int place, float perRise) {
     const float low = wall.low - rows.shifts[std::size_t(row)],
                 high = wall.high - rows.shifts[std::size_t(row)];
     const float distance = (wall.along + rows.alongs[std::size_t(row)]) - wall.slope * low;
@@ -54,7 +54,7 @@ SeenEdge seeWall(const WallOnBlock& wall, const BlockRows& rows, int row, int pl
     return {before && cot > wall.nearest * perRise, cot > 0 ? cot : 0};
 }
 
-SeenEdge seeEdge(const WallOnBlock& wall, const BlockRows& rows, int row, int place, float ground) {
+KernelEdge seeEdge(const WallOnBlock& wall, const BlockRows& rows, int row, int place, float ground) {
     const float low = wall.low - rows.shifts[std::size_t(row)];
     const float over = wall.rise + wall.riseSlope * (float(place) + low) - ground;
     if (!(over > 0)) return {false, 0};
@@ -80,7 +80,7 @@ TEST(HorizonKernels, WallsRaiseABlockAsScalarCodeDoes) {
                 const bool receiver = (masks[std::size_t(row)] >> place & 1) != 0;
                 float cot = receiver ? std::numeric_limits<float>::infinity() : BlockHorizons::notReceiver;
                 for (const WallOnBlock& wall : walls)
-                    if (const SeenEdge seen = seeWall(wall, rows, row, place, wall.perRise); seen.shades)
+                    if (const KernelEdge seen = seeWall(wall, rows, row, place, wall.perRise); seen.shades)
                         cot = std::min(cot, seen.cot);
                 expected.rows[row].values[place] = cot;
                 lowest = std::max(lowest, cot);
@@ -109,7 +109,7 @@ TEST(HorizonKernels, EdgesRaiseUnevenBlocksAsScalarCodeDoes) {
         for (int row = 0; row < side; ++row)
             for (int place = 0; place < side; ++place) {
                 float& cot = expected.rows[row].values[place];
-                const SeenEdge seen = seeEdge(wall, rows, row, place, before.grounds[row].values[place]);
+                const KernelEdge seen = seeEdge(wall, rows, row, place, before.grounds[row].values[place]);
                 if (seen.shades && seen.cot < cot) cot = seen.cot;
             }
         forEachInstructionSet([&] {
@@ -135,7 +135,7 @@ TEST(HorizonKernels, AttributedHorizonsNameTheBuildingThatMakesThem) {
                 best[row][place] = other[row][place] = receiver ? std::numeric_limits<float>::infinity() : -1;
                 building[row][place] = -1;
                 for (const WallOnBlock& wall : walls) {
-                    const SeenEdge seen = seeEdge(wall, rows, row, place, 0);
+                    const KernelEdge seen = seeEdge(wall, rows, row, place, 0);
                     if (!seen.shades) continue;
                     const bool own = building[row][place] == wall.building;
                     if (seen.cot < best[row][place]) {

@@ -216,6 +216,17 @@ TEST(NextSteps, OfferTheHeightsThatASurfaceModelShows) {
     EXPECT_NE(taken[0].why, listNextSteps(read, files, {})[0].why);
 }
 
+TEST(InfoJson, ATerrainAloneHasAPlaceToo) {
+    CityRead read;
+    read.city.frame = Frame({13.4, 52.5});
+    Terrain terrain{.grid = PostGrid(-500, -500, 10, 100, 100), .elevationM = std::vector<float>(10'000, 34)};
+    read.city.terrain = std::make_shared<const Terrain>(terrain);
+    const auto info = nlohmann::json::parse(infoJson(read));
+    ASSERT_TRUE(info["extent_lonlat"].is_array());
+    EXPECT_NEAR(info["extent_lonlat"][0].get<double>(), 13.4 - 0.00734, 2e-4);
+    EXPECT_NEAR(info["extent_lonlat"][3].get<double>(), 52.5 + 0.00448, 2e-4);
+}
+
 TEST(InfoJson, AnEmptyCity) {
     const auto info = nlohmann::json::parse(infoJson({}));
     EXPECT_EQ(info["buildings"], 0);

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "core/lab/lab_engines.h"
-#include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {
 namespace {
@@ -59,15 +58,6 @@ TEST(MemoryNeed, TooLargeIsRefusedWithItsSize) {
 TEST(MemoryNeed, AbsurdRegionsDoNotOverflow) {
     StudySettings settings = over(1e15F, 0.25);
     EXPECT_FALSE(checkMemory({}, settings));
-}
-
-TEST(AvailableMemory, IsReadFromTheSystem) {
-    const tests::TemporaryFolder folder;
-    const auto file = folder.file(
-        "meminfo", "MemTotal:       24000000 kB\nMemFree: 7 kB\nMemAvailable:    2048 kB\nBuffers: 1 kB\n");
-    EXPECT_EQ(measureAvailableMemory(file), 2048U * 1024U);
-    EXPECT_EQ(measureAvailableMemory(folder.file("old", "MemTotal: 5 kB\n")), std::nullopt);
-    EXPECT_EQ(measureAvailableMemory(folder.path("missing")), std::nullopt);
 }
 
 }  // namespace

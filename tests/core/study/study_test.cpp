@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-Ring square(float x, float y, float side) {
+Ring squareRing(float x, float y, float side) {
     return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
 }
 
@@ -22,9 +22,9 @@ Ring square(float x, float y, float side) {
 City towers() {
     City city{.frame = Frame({-73.98, 40.75})};
     Building near{.sourceId = "near"};
-    near.parts.push_back({.footprint = {square(0, 0, 10), {}}, .topM = 30});
+    near.parts.push_back({.footprint = {squareRing(0, 0, 10), {}}, .topM = 30});
     Building far{.sourceId = "far"};
-    far.parts.push_back({.footprint = {square(0, 5000, 10), {}}, .topM = 30});
+    far.parts.push_back({.footprint = {squareRing(0, 5000, 10), {}}, .topM = 30});
     city.buildings = {std::make_shared<const Building>(near), std::make_shared<const Building>(far)};
     return city;
 }
@@ -108,7 +108,7 @@ TEST(RunStudy, TheSunIsSeenFromTheMiddleOfTheRegion) {
 TEST(RunStudy, StatesHowTheSunLiesInTheFrame) {
     City city = towers();
     Building farOff{.sourceId = "far off"};
-    farOff.parts.push_back({.footprint = {square(20000, 10, 20), {}}, .topM = 40});
+    farOff.parts.push_back({.footprint = {squareRing(20000, 10, 20), {}}, .topM = 40});
     city.buildings = {std::make_shared<const Building>(farOff)};
     StudySettings settings = aroundTheTower();
     settings.region = makeRegionFromLocalBox({{19970, 0}, {20050, 60}});

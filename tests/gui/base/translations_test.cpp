@@ -252,6 +252,7 @@ public:
 TEST(ErrorWords, WhatCoreMarksIsTranslatedAndNamesStay) {
     Capitals capitals;
     QCoreApplication::installTranslator(&capitals);
+    noteLanguageChange();
     EXPECT_EQ(describeError({"The region has no area", "Lot 7", "Draw a polygon with an interior"}),
               QStringLiteral("Lot 7: THE REGION HAS NO AREA. DRAW A POLYGON WITH AN INTERIOR"));
     const WarningGroup group{WarningKind::leftOut, "lies underground", {"way 3", "way 7", "way 9", "way 11"}};
@@ -259,6 +260,7 @@ TEST(ErrorWords, WhatCoreMarksIsTranslatedAndNamesStay) {
     EXPECT_EQ(describeWarningWithPlaces(group),
               QStringLiteral("4 LEFT OUT: LIES UNDERGROUND (way 3, way 7, way 9, ...)"));
     QCoreApplication::removeTranslator(&capitals);
+    noteLanguageChange();
     EXPECT_EQ(describeWarningWithPlaces(group, 4).toStdString(), lineOf(group, 4)) << "as core says it";
 }
 

@@ -236,7 +236,8 @@ TEST_F(WindowTest, LayoutIsKept) {
     window.close();
     EXPECT_FALSE(settings.value(QStringLiteral("docks")).toByteArray().isEmpty());
     MainWindow next(settings);
-    EXPECT_TRUE(next.restoreState(settings.value(QStringLiteral("docks")).toByteArray(), 13));
+    EXPECT_TRUE(
+        next.restoreState(settings.value(QStringLiteral("docks")).toByteArray(), MainWindow::layoutVersion));
 }
 
 }  // namespace

@@ -237,7 +237,7 @@ TEST_F(ExportWindow, SheetsAreLaidOutAnewOnlyWhereSomethingElseIsPrinted) {
              };
              return sheets;
          },
-         [](const ExportChoice&) { return false; }},
+         [](const ExportChoice&) { return false; }, [](const ExportChoice&) { return false; }},
         session(), window.get());
     const auto settle = [&] { return waitFor([&] { return !dialog->busy(); }); };
     const std::vector<ExportDialog::Subject> subjects{

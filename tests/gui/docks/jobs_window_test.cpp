@@ -149,11 +149,11 @@ TEST_F(WholeJob, AnArchitectLeavesWithTheMassingAndWhatItChanges) {
     ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }, 240000))
         << message();
     const ChangeFigures gross = computeFigures(workbench().answerAs<ImpactAnswer>()->study.total).gross;
-    EXPECT_GT(gross.gainedM2, 1000) << "a tower of 140 m on a lawn";
+    EXPECT_GT(gross.moreShadowM2, 1000) << "a tower of 140 m on a lawn";
     exportShown();
     EXPECT_TRUE(contentOf("impact.pdf").startsWith("%PDF"));
     EXPECT_FALSE(contentOf("impact.tif").isEmpty());
-    EXPECT_NEAR(jsonOf("impact.json")["impact"][0]["gross"]["gained_m2"].toDouble(), gross.gainedM2, 1);
+    EXPECT_NEAR(jsonOf("impact.json")["impact"][0]["gross"]["gained_m2"].toDouble(), gross.moreShadowM2, 1);
     saveAndStartAgain();
     const Building& tower = *workbench().city()->city().buildings.back();
     EXPECT_NEAR(double(topM(tower)), 140, 0.05);

@@ -36,7 +36,7 @@ TEST_F(LiveEffectWindow, ShowsTheChangeWithItsFiguresAndTheWorstSpot) {
     ASSERT_TRUE(preview().show({newTower("New", 70)}));
     ASSERT_TRUE(waitFor([this] { return !effect().isEmpty(); }));
     const LiveChange& change = *preview().live().answer()->change;
-    EXPECT_GT(change.figures[0].gross.gainedM2, 0);
+    EXPECT_GT(change.figures[0].gross.moreShadowM2, 0);
     EXPECT_TRUE(effect().startsWith(QStringLiteral("New shadow a day, by cells of ")))
         << effect().toStdString();
     EXPECT_TRUE(effect().contains(QStringLiteral("Worst spot: +"))) << effect().toStdString();
@@ -64,7 +64,8 @@ TEST_F(LiveEffectWindow, TheChosenBaselineIsTheOneComparedWith) {
     build();
     ASSERT_TRUE(preview().show({ChangeHeight{"New", 40}}));
     ASSERT_TRUE(waitFor([this] { return !effect().isEmpty(); }));
-    EXPECT_GT(preview().live().answer()->change->figures[0].gross.gainedM2, 0) << "against the existing city";
+    EXPECT_GT(preview().live().answer()->change->figures[0].gross.moreShadowM2, 0)
+        << "against the existing city";
     session().compareWith(session().scenario());
     ASSERT_TRUE(waitFor([this] { return effect().startsWith(QStringLiteral("No new shadow")); }))
         << effect().toStdString();

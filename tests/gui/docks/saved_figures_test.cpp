@@ -111,7 +111,7 @@ TEST(SavedFigures, ComeBackFromTheProjectsView) {
     EXPECT_EQ(after[0].figures.measured->shadowAreaM2, measured.measured->shadowAreaM2);
     EXPECT_EQ(after[1].baselineSha256, "cc");
     EXPECT_EQ(after[1].figures.impact->shadowAreaChangeM2, -12.25);
-    EXPECT_EQ(after[1].figures.impact->gross.maxLostMin, 7);
+    EXPECT_EQ(after[1].figures.impact->gross.maxLessShadowMin, 7);
     EXPECT_TRUE(std::isnan(after[1].figures.impact->continuous.meanMin));
     EXPECT_EQ(after[2].figures.weights, project.weights.front());
     EXPECT_EQ(after[2].figures.score.scoreM2, 0.125);

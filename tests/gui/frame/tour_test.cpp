@@ -56,7 +56,7 @@ struct TourWindow : test::ProjectWindow {
 TEST_F(TourWindow, TheArchitectsTourEndsWithAComparison) {
     walk(0);
     ASSERT_TRUE(workbench().answerAs<ImpactAnswer>());
-    EXPECT_GT(computeFigures(workbench().answerAs<ImpactAnswer>()->study.total).gross.gainedM2, 0)
+    EXPECT_GT(computeFigures(workbench().answerAs<ImpactAnswer>()->study.total).gross.moreShadowM2, 0)
         << "the tower throws a shadow";
 }
 

@@ -56,11 +56,11 @@ TEST(LiveChange, CountsOpenGroundAloneAndFindsTheWorstSpot) {
     EXPECT_EQ(change.worst, 2U);
     EXPECT_EQ(change.figures[0].thresholdMin, 30);
     EXPECT_EQ(change.figures[1].thresholdMin, 60);
-    EXPECT_DOUBLE_EQ(change.figures[0].gross.gainedM2, 100);
+    EXPECT_DOUBLE_EQ(change.figures[0].gross.moreShadowM2, 100);
     EXPECT_DOUBLE_EQ(change.figures[0].gross.anyMoreShadowM2, 200);
-    EXPECT_DOUBLE_EQ(change.figures[0].gross.lostM2, 100);
-    EXPECT_DOUBLE_EQ(change.figures[1].gross.lostM2, 0);
-    EXPECT_DOUBLE_EQ(change.figures[0].gross.maxGainedMin, 90);
+    EXPECT_DOUBLE_EQ(change.figures[0].gross.lessShadowM2, 100);
+    EXPECT_DOUBLE_EQ(change.figures[1].gross.lessShadowM2, 0);
+    EXPECT_DOUBLE_EQ(change.figures[0].gross.maxMoreShadowMin, 90);
     EXPECT_DOUBLE_EQ(change.figures[0].receiverAreaM2, 300);
     EXPECT_DOUBLE_EQ(change.figures[0].becameBuildingM2, 200) << "under the tower, and under its roof";
     EXPECT_DOUBLE_EQ(change.figures[0].becameGroundM2, 100);
@@ -126,7 +126,7 @@ TEST_F(LiveBaselineTest, IsTheDifferenceOfBothCities) {
     EXPECT_TRUE(sameMinutes(impact.total.grossMin, live.change->impact.grossMin));
     EXPECT_TRUE(sameMinutes(impact.total.continuousMin, live.change->impact.continuousMin));
     EXPECT_EQ(impact.total.change, live.change->impact.change);
-    EXPECT_GT(live.change->figures[0].gross.gainedM2, 1000);
+    EXPECT_GT(live.change->figures[0].gross.moreShadowM2, 1000);
 }
 
 // A tower that is designed again is compared with the city before it, not with the city without it.

@@ -120,6 +120,20 @@ TEST(BuildingFacts, OfABox) {
     EXPECT_EQ(collectFacts(*changed.buildings[0], changed).heightSource, QStringLiteral("designed"));
 }
 
+// A setback's upper volume stands on the lower one: both together are as high as the building.
+TEST(BuildingFacts, TheUpperVolumeOfATowerIsAsHighAsTheTower) {
+    City city = test::smallCity();
+    Building tower = *city.buildings[0];
+    Part upper = tower.parts.front();
+    upper.bottomM = upper.topM;
+    upper.topM += 30;
+    tower.parts.push_back(upper);
+    city.buildings[0] = std::make_shared<const Building>(std::move(tower));
+    const BuildingFacts facts = collectFacts(*city.buildings[0], city);
+    EXPECT_NEAR(facts.heightM, 90, 1e-4);
+    EXPECT_NEAR(facts.highestPartM, 90, 1e-4);
+}
+
 // 60 m that were 20 storeys of 3 m are 20 storeys, not 17 of 3.5 m.
 TEST(BuildingFacts, StoreysOfTheDataAreKept) {
     City city = test::smallCity();

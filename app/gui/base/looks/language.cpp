@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QTranslator>
 #include <algorithm>
+#include <atomic>
 #include <clocale>
 
 namespace noonmark {
@@ -45,6 +46,16 @@ void install(const QString& file, const QString& folder, QCoreApplication& appli
 
 }  // namespace
 
+namespace {
+
+std::atomic<int> changes = 0;
+
+}  // namespace
+
+int countLanguageChanges() { return changes; }
+
+void noteLanguageChange() { ++changes; }
+
 Language readLanguage(const QSettings& settings) {
     const QString code = settings.value(languageKey).toString();
     for (const LanguageEntry& entry : languages)
@@ -72,6 +83,7 @@ QLocale chooseLocale(const QString& code, const QLocale& system) {
 
 void applyLanguage(Language language, QCoreApplication& application) {
     qDeleteAll(application.findChildren<QTranslator*>(translatorName));
+    noteLanguageChange();
     const QString code = findTranslation(language, QLocale::system().uiLanguages());
     // Qt took the decimal comma of the system for C functions too, which read and write files.
     std::setlocale(LC_NUMERIC, "C");

@@ -40,4 +40,9 @@ QLocale chooseLocale(const QString& code, const QLocale& system);
 /// installed are removed.
 void applyLanguage(Language language, QCoreApplication& application);
 
+/// How often the language has changed: what was translated under another count is found anew. Whoever
+/// installs a translator by hand notes it.
+int countLanguageChanges();
+void noteLanguageChange();
+
 }  // namespace noonmark

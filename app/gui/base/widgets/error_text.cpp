@@ -4,7 +4,11 @@
 #include <QObject>
 #include <QStringList>
 #include <algorithm>
+#include <mutex>
+#include <unordered_map>
+#include <utility>
 
+#include "app/gui/base/looks/language.h"
 #include "core/base/safe_text.h"
 #include "generated/translation_contexts.h"
 
@@ -39,7 +43,7 @@ namespace {
     QT_TRANSLATE_NOOP("Error", "Read them from a map or draw one: Study > Read places, Study > Draw place"),
     QT_TRANSLATE_NOOP("Error", "No place is chosen"),
     QT_TRANSLATE_NOOP("Error", "The proposal's shadow reaches no place in the rule's hours"),
-    QT_TRANSLATE_NOOP("Error", "Run the rule on all places to have that stated for each"),
+    QT_TRANSLATE_NOOP("Error", "Review all places to have that stated for each"),
     QT_TRANSLATE_NOOP("Error",
                       "Tick the places to review, or press In reach to find those that the shadow reaches"),
     QT_TRANSLATE_NOOP("Error", "Design a tower, or choose a scenario with a proposal"),
@@ -77,7 +81,7 @@ namespace {
     QT_TRANSLATE_NOOP("Error", "The city has an aerial photograph already"),
     QT_TRANSLATE_NOOP("Error", "Remove it first: File > Aerial photograph"),
     QT_TRANSLATE_NOOP("Error", "Some scenarios could not be computed"),
-    QT_TRANSLATE_NOOP("Error", "The dock Scenarios says why in the row of each")};
+    QT_TRANSLATE_NOOP("Error", "The panel Scenarios says why in the row of each")};
 
 // Of nameOf(WarningKind), which lies below the macro of core.
 [[maybe_unused]] constexpr const char* warningKinds[] = {
@@ -87,14 +91,43 @@ namespace {
 
 }  // namespace
 
-QString translated(std::string_view text) {
-    if (text.empty()) return {};
-    const std::string source(text);
+namespace {
+
+QString findTranslated(const std::string& source) {
     const QString english = QString::fromStdString(source);
     for (const char* context : translationContexts)
         if (QString found = QCoreApplication::translate(context, source.c_str()); found != english)
             return found;
     return english;
+}
+
+/// A text is looked for in all contexts, and one that is its own translation in vain: tables ask for the same
+/// names at each comparison of two rows.
+struct KnownTexts {
+    static constexpr std::size_t most = 100'000;
+    std::mutex mutex;
+    std::unordered_map<std::string, QString> texts;
+    int languageChanges = 0;
+};
+
+KnownTexts& knownTexts() {
+    static KnownTexts known;
+    return known;
+}
+
+}  // namespace
+
+QString translated(std::string_view text) {
+    if (text.empty()) return {};
+    std::string source(text);
+    KnownTexts& known = knownTexts();
+    const std::scoped_lock lock(known.mutex);
+    const bool isOtherLanguage =
+        std::exchange(known.languageChanges, countLanguageChanges()) != countLanguageChanges();
+    if (isOtherLanguage || known.texts.size() >= KnownTexts::most) known.texts.clear();
+    if (const auto found = known.texts.find(source); found != known.texts.end()) return found->second;
+    QString found = findTranslated(source);
+    return known.texts.emplace(std::move(source), std::move(found)).first->second;
 }
 
 QString describeError(const Error& error) {
@@ -123,7 +156,7 @@ Error sumUp(const ScenarioErrors& errors, std::size_t asked) {
     const bool same =
         std::ranges::all_of(errors, [&](const auto& one) { return textOf(one) == textOf(errors.front()); });
     if (same && errors.size() == asked) return errors.front().second;
-    Error all{"Some scenarios could not be computed", {}, "The dock Scenarios says why in the row of each"};
+    Error all{"Some scenarios could not be computed", {}, "The panel Scenarios says why in the row of each"};
     if (same) all = errors.front().second;
     std::string names;
     for (const auto& [scenario, error] : errors) names += (names.empty() ? "" : ", ") + scenario;

@@ -13,6 +13,7 @@ namespace noonmark {
 
 /// A text that core marks by NM_TEXT, in the user's language. lupdate puts it into the context of the class
 /// around the mark; of several translations that of a free function comes first.
+/// What was found is remembered until the language changes (noteLanguageChange()).
 QString translated(std::string_view text);
 
 /// The same as a sentence of its own: with a capital, and the sign of multiplication for an x.
@@ -36,7 +37,7 @@ QString describeWarningWithPlaces(const WarningGroup& group, std::size_t maximum
 using ScenarioErrors = std::vector<std::pair<std::string, Error>>;
 
 /// One error about all of them, of which there is at least one: if they have the same, that one, with their
-/// names unless all `asked` have it. The dock Scenarios states each one's.
+/// names unless all `asked` have it. The panel Scenarios states each one's.
 Error sumUp(const ScenarioErrors& errors, std::size_t asked);
 
 }  // namespace noonmark

@@ -231,7 +231,7 @@ void ContributionLinks::choose(const std::string& place) {
 
 void ContributionLinks::attributeSun(std::size_t place) {
     working_.start<PlaceContributions>(
-        tr("Attributing the shadow of %1").arg(QString::fromStdString(dock_.subject())),
+        tr("Attributing the shadow of %1").arg(placeName(dock_.subject())),
         [places = sun(), place, date = dateOf(*sun()) ? date_ : std::nullopt](Progress& progress,
                                                                               std::stop_token stop) {
             return computePlaceContributions(*places, place, date, progress, std::move(stop),

@@ -275,7 +275,7 @@ void ExportDialog::update() {
     const bool isSaved = session_.file().has_value();
     withProject_->setEnabled(!isView && isSaved);
     withProject_->setVisible(isView || isSaved);
-    const bool canBeVerified = isView || isSavedAsItIs(session_);
+    const bool canBeVerified = isView || source_.isOfFiles(now) || isSavedAsItIs(session_);
     unsaved_->setText(isSaved
                           ? tr("The project has changes that are not saved: what is exported now cannot be "
                                "verified.")
@@ -336,7 +336,6 @@ void ExportDialog::makeRoom() {
 }
 
 void ExportDialog::showSheets(const std::shared_ptr<const Book>& book) {
-    if (book) makeRoom();
     form_->setEnabled(book != nullptr);
     pages_->show(book);
     if (book || !pages_->isVisibleTo(this)) return;

@@ -40,6 +40,8 @@ public:
         std::function<SheetsToMake(const ExportChoice&)> sheets;  ///< that a choice writes
         /// Whether the sheets are those of a review of places, which may be many.
         std::function<bool(const ExportChoice&)> isReview;
+        /// Whether the files that were read suffice to repeat it, without a saved project.
+        std::function<bool(const ExportChoice&)> isOfFiles;
     };
 
     /// `first`: what the fields begin with. `session` must outlive the dialog.

@@ -74,7 +74,7 @@ void PlaceLinks::keep(std::shared_ptr<const SunOfCities> sun) {
 QString PlaceLinks::nameOfKept() const {
     if (kept_.measured) return shownName(*kept_.measured);
     const auto result = findResult(workbench_.session().project(), kept_.saved);
-    return result ? shownName(**result) : QString::fromStdString(kept_.saved);
+    return result ? shownName(*result) : QString::fromStdString(kept_.saved);
 }
 
 void PlaceLinks::showKept() {

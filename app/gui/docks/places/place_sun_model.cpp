@@ -490,7 +490,7 @@ bool PlaceSunFilter::accepts(std::size_t place) const {
     const Place& of = model().sun()->baseline.places[place];
     if (kind_ && of.kind != *kind_) return false;
     if (limit_ && !limit_->holds(model().hoursOf(place, limit_->of))) return false;
-    return text_.isEmpty() || QString::fromStdString(of.name).contains(text_, Qt::CaseInsensitive);
+    return text_.isEmpty() || placeName(of.name).contains(text_, Qt::CaseInsensitive);
 }
 
 // Without a QVariant for each value: thousands of rows are sorted at a click. Rows without a number come last

@@ -138,9 +138,9 @@ public:
     struct Limit {
         ShownSun of;
         double hours = 0;
-        bool isMost = false;                               ///< true: those with more sun, that is less shade
+        bool isAbove = false;                              ///< true: those with more sun, that is less shade
         [[nodiscard]] bool holds(double sunHours) const {  ///< false of NaN
-            return isMost ? sunHours > hours : sunHours < hours;
+            return isAbove ? sunHours > hours : sunHours < hours;
         }
         bool operator==(const Limit&) const = default;
     };

@@ -228,6 +228,7 @@ void PlacesDock::makeTable() {
 void PlacesDock::connectFields() {
     connect(shown_, &QComboBox::currentIndexChanged, this, [this] {
         showNextToNames();
+        shade_->setVisible(offersShade(shown()));
         colour();
         limitRows();
         emitDate();
@@ -529,7 +530,7 @@ void PlacesDock::setShown(ShownAs show) {
     if (!model_->sun()) return;
     model_->setEnough(threshold_->value());
     threshold_->setSuffix(show == ShownAs::sun ? tr(" h") : tr(" h of sun"));
-    shade_->setVisible(show == ShownAs::shadow);
+    shade_->setVisible(offersShade(shown()));
     limitRows();
     fitColumns();
     if (grouped_->isChecked()) table_->expandToDepth(0);
@@ -660,8 +661,13 @@ QString PlacesDock::describeAt(glm::dvec2 point, const ShownSun& shown, const st
     return tr("%1: %2 h of sun a day").arg(name, groupDigits(hours, 2));
 }
 
+// A change has its own threshold.
+bool PlacesDock::offersShade(const ShownSun& shown) const {
+    return shown.what != ShownSun::What::change && !model_->showsSun(shown);
+}
+
 bool PlacesDock::asksForShade(const ShownSun& shown) const {
-    return shown.what != ShownSun::What::change && !model_->showsSun(shown) && shade_->value() > 0;
+    return offersShade(shown) && shade_->value() > 0;
 }
 
 // Of which a place is counted. Less shade is more sun.

@@ -83,6 +83,7 @@ private:
     void describeCount();
     [[nodiscard]] QString describeLimit(const QString& counts, const ShownSun& shown) const;
     [[nodiscard]] PlaceSunFilter::Limit limitOf(const ShownSun& shown) const;
+    [[nodiscard]] bool offersShade(const ShownSun& shown) const;
     [[nodiscard]] bool asksForShade(const ShownSun& shown) const;
     [[nodiscard]] bool hasSun(std::optional<std::size_t> place) const;
     [[nodiscard]] bool isCounted(std::size_t place) const;  ///< of the kind that is listed

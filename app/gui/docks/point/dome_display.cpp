@@ -151,7 +151,7 @@ DomeDisplay::DomeDisplay(QSettings& settings, Workbench& workbench, ViewPanel& p
       time_(time),
       action_(makeAction(this, tr("Sun path dome"), Qt::Key_D,
                          tr("The sun's paths of the months and the hours on a dome around what the camera "
-                            "looks at, or around the pin of the dock Point"))),
+                            "looks at, or around the pin of the panel Point"))),
       rest_(new QTimer(this)) {
     rest_->setSingleShot(true);
     rest_->setInterval(domeRestMs);

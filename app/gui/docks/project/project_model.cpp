@@ -170,7 +170,7 @@ void addResults(ProjectNode& root, const Project& project) {
                                ? scenarioName(result->scenario)
                                : QObject::tr("%1 compared with %2")
                                      .arg(scenarioName(result->scenario), scenarioName(result->baseline));
-        addPart(group, result->name, shownName(*result), {},
+        addPart(group, result->name, shownName(result), {},
                 QObject::tr("%1 of %2\nPress Enter or double-click to show it again")
                     .arg(qtText(result->kind), of));
     }

@@ -206,7 +206,7 @@ void ResultDisplay::listAnswers() {
              [this, one = *one] { workbench_.showMeasured(*one); });
     const std::string saved = workbench_.savedName();
     for (const auto& result : workbench_.session().project().results)
-        list(tr("Saved: %1").arg(shownName(*result)), result->name == saved, workbench_.isOutdated(*result),
+        list(tr("Saved: %1").arg(shownName(result)), result->name == saved, workbench_.isOutdated(*result),
              [this, result] { showNamed(result->name); });
     places_.figures.setAnswers(names, shown);
 }

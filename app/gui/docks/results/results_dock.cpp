@@ -29,7 +29,7 @@ constexpr int maxNamePx = 165;        // longer names of figures take two lines,
 
 QString defaultHint() {
     return ResultsDock::tr(
-        "No study yet.\nChoose what, when and where in the dock Study, and press Run study (Ctrl+R). The "
+        "No study yet.\nChoose what, when and where in the panel Study, and press Run study (Ctrl+R). The "
         "answer then stands here.");
 }
 

@@ -96,7 +96,7 @@ std::set<std::string> listTicked(const std::vector<Place>& places, const ReviewC
 }  // namespace
 
 void PlaceList::show(const std::vector<Place>& places, const ReviewChoice& choice,
-                     const ReviewSession::Reach* reach) {
+                     const ReviewSession::Reach* reach, bool isFinding) {
     const QSignalBlocker block(list_);
     const std::set<std::string> ticked = listTicked(places, choice, reach);
     while (list_->count() > int(places.size())) delete list_->takeItem(list_->count() - 1);
@@ -119,6 +119,8 @@ void PlaceList::show(const std::vector<Place>& places, const ReviewChoice& choic
         item.setToolTip(tip);
     }
     filter(filter_->text());
+    list_->setEnabled(!isFinding);
+    if (isFinding) return count_->setText(tr("Only those in reach of the shadow; they are being found"));
     reach ? showReach(reach->kept->places.size(), places.size()) : count();
 }
 
@@ -190,7 +192,6 @@ Verdict worstOf(const ReviewAnswer& answer, const ColouredPlace& place) {
     return worst;
 }
 
-// The words of legends are English here, as in files.
 Legend makeVerdictLegend(const ReviewAnswer& answer) {
     Legend legend;
     legend.title = QStringLiteral(NM_TEXT("Verdicts on places"));

@@ -23,9 +23,10 @@ class PlaceList final : public QWidget {
 public:
     explicit PlaceList(QWidget* parent = nullptr);
 
-    /// `reach`: the places in reach, where these are reviewed and known; null: not so.
-    void show(const std::vector<Place>& places, const ReviewChoice& choice,
-              const ReviewSession::Reach* reach);
+    /// `reach`: the places in reach, where these are reviewed and known; null: not so. `isFinding`: they are
+    /// still to be found; until then none can be ticked.
+    void show(const std::vector<Place>& places, const ReviewChoice& choice, const ReviewSession::Reach* reach,
+              bool isFinding);
 
 Q_SIGNALS:
     void chosen(bool all, std::vector<std::string> names);

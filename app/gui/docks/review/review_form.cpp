@@ -124,7 +124,7 @@ void ReviewForm::showChoice() {
     const ReviewChoice& choice = review_.choice();
     form_->setZone(review_.zone());
     form_->show(choice, project_.project().scenarios, project_.scenario());
-    places_->show(review_.candidates(), choice, review_.reach());
+    places_->show(review_.candidates(), choice, review_.reach(), review_.mustFindReach());
     glazingForm_->show(choice.windows);
     subjects_->setCurrentIndex(windows_.applies() ? 1 : 0);
     estimate_->clear();

@@ -22,14 +22,16 @@ bool holds(const ReviewAnswer& answer, const ReviewQuestion& now, bool orSome) {
            });
 }
 
-// Of a question about many places, as ReviewSession::findReach() does for the scenario that is displayed.
+// As ReviewSession::findReach() does for the scenario that is displayed.
 Result<void> keepReach(const ReviewChoice& choice, Asked& asked, Progress& progress,
                        const std::stop_token& stop) {
     ReviewQuestion question = *asked.review;
     if (!isScreened(choice, question) || !canScreen(question)) return {};
-    return keepPlacesInReach(question, progress, stop).map([&](const auto&) {
-        asked.review = std::make_shared<const ReviewQuestion>(std::move(question));
-    });
+    const auto found = findPlacesInReach(question, progress, stop);
+    if (!found) return tl::make_unexpected(found.error());
+    if (const auto kept = keepReach(choice, question, *found); !kept) return kept;
+    asked.review = std::make_shared<const ReviewQuestion>(std::move(question));
+    return {};
 }
 
 }  // namespace

@@ -135,9 +135,14 @@ bool ReviewSession::needsScreening(const ReviewQuestion& question) const {
     return isScreened(choice_, question) && !(reach_ && isSame(reach_->asked, question));
 }
 
+bool ReviewSession::mustFindReach() {
+    const auto now = question();
+    return now && needsScreening(*now) && canScreen(*now);
+}
+
 const ReviewSession::Reach* ReviewSession::reach() {
     const auto now = question();
-    const bool isKept = now && reach_ && reach_->kept && isSame(*now, *reach_->kept);
+    const bool isKept = now && now->inReach && reach_ && reach_->kept && isSame(*now, *reach_->kept);
     return isKept ? &*reach_ : nullptr;
 }
 
@@ -145,13 +150,15 @@ const ReviewSession::Reach* ReviewSession::reach() {
 void ReviewSession::findReach(JobSlot& slot, const ReviewQuestion& question, std::function<void()> next) {
     slot.start<Reach>(
         tr("Finding places in reach"),
-        [question](Progress& progress, const std::stop_token& stop) -> Result<Reach> {
+        [question, choice = choice_](Progress& progress, const std::stop_token& stop) -> Result<Reach> {
             Reach reach{question, question, {}};
             if (!canScreen(question)) return reach;
-            auto reasons = keepPlacesInReach(*reach.kept, progress, stop);
-            if (!reasons && isCancelled(reasons.error())) return tl::make_unexpected(reasons.error());
-            if (!reasons) reach.kept = tl::make_unexpected(reasons.error());
-            if (reasons) reach.reasons = *std::move(reasons);
+            auto found = findPlacesInReach(question, progress, stop);
+            if (!found && isCancelled(found.error())) return tl::make_unexpected(found.error());
+            const auto kept = found ? keepReach(choice, *reach.kept, *found)
+                                    : Result<void>(tl::make_unexpected(found.error()));
+            if (!kept) reach.kept = tl::make_unexpected(kept.error());
+            if (found) reach.reasons = std::move(found->reasons);
             return reach;
         },
         [this, next = std::move(next)](Result<Reach> reach) {
@@ -172,7 +179,10 @@ Asked ReviewSession::makeAsked(ReviewQuestion question) const {
 void ReviewSession::ask(bool byUser) {
     const auto question = this->question();
     if (!question) return report(question.error());
-    if (needsScreening(*question)) return findReach(running_, *question, [this, byUser] { ask(byUser); });
+    if (needsScreening(*question)) {
+        estimating_.drop();  // which may be finding them, too
+        return findReach(running_, *question, [this, byUser] { ask(byUser); });
+    }
     running_.start<std::shared_ptr<const Answer>>(
         tr("Review"),
         [asked = makeAsked(*question)](Progress& progress, const std::stop_token& stop) {
@@ -261,7 +271,10 @@ Result<PlacesToReview> ReviewSession::livePlaces(const Rule& rule) const {
     auto places = chosenPlaces(rule);
     const bool isKnown = places && reach_ && reach_->kept && isSameRule(reach_->asked.rule, rule) &&
                          screensPlaces(choice_.reviewed, places->places.size());
-    if (isKnown) places->places = reach_->kept->places;
+    if (!isKnown) return places;
+    std::erase_if(places->places, [this](const Place& place) {
+        return std::ranges::find(reach_->kept->places, place) == reach_->kept->places.end();
+    });
     return places;
 }
 

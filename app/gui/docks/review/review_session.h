@@ -28,6 +28,13 @@ inline bool isScreened(const ReviewChoice& choice, const ReviewQuestion& questio
            screensPlaces(choice.reviewed, question.places.size());
 }
 
+/// keepPlacesInReach(); where nobody asked for those in reach and there is none, all stay.
+inline Result<void> keepReach(const ReviewChoice& choice, ReviewQuestion& question,
+                              const PlacesInReach& found) {
+    if (found.places.empty() && choice.reviewed == ReviewedPlaces::automatic) return {};
+    return keepPlacesInReach(question, found);
+}
+
 /// The review of the open project: the choice, its answer, and the answer for the building that is being
 /// shaped. Long work runs in jobs. Knows no widgets.
 class ReviewSession final : public QObject {
@@ -90,6 +97,8 @@ public:
     };
     /// What is known of what would be reviewed now; null: all places are, or they are still to be found.
     [[nodiscard]] const Reach* reach();
+    /// Whether they are still to be found, and no place is known to be reviewed until then.
+    [[nodiscard]] bool mustFindReach();
     /// Whether places in reach are still to be found before question() is whole.
     [[nodiscard]] bool needsScreening(const ReviewQuestion& question) const;
 

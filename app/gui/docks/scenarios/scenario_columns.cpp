@@ -118,17 +118,18 @@ ScenarioColumn usesColumn() {
 }
 
 ScenarioColumn verdictsColumn() {
-    return {.key = "verdicts",
-            .title = QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Verdicts"),
-            .tip = QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
-                                     "By the rule and the baseline that the dock Review shows; sorted by the "
-                                     "number that fail, then by borderline ones"),
-            .work = ScenarioWork::reviewing,
-            .better = Better::lower,
-            .isNumber = false,
-            .value = [](const ScenarioRow&, const ScenarioAnswers& answers) {
-                return answers.verdicts ? QVariant(rankOf(answers.verdicts->counts)) : QVariant();
-            }};
+    return {
+        .key = "verdicts",
+        .title = QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Verdicts"),
+        .tip = QT_TRANSLATE_NOOP("noonmark::ScenarioTable",
+                                 "By the rule and the baseline that the panel Review shows; sorted by the "
+                                 "number that fail, then by borderline ones"),
+        .work = ScenarioWork::reviewing,
+        .better = Better::lower,
+        .isNumber = false,
+        .value = [](const ScenarioRow&, const ScenarioAnswers& answers) {
+            return answers.verdicts ? QVariant(rankOf(answers.verdicts->counts)) : QVariant();
+        }};
 }
 
 ScenarioColumn shadowColumn(const Figure& figure) {

@@ -325,7 +325,7 @@ QString ScenarioTable::tipOfLack(const Row& row, const ScenarioColumn& column) c
         return tr("Not computed with the current settings: press Measure all");
     if (column.work == ScenarioWork::measuringPlaces)
         return tr(
-            "Not measured since buildings last changed: choose Sun by place in the dock Study, and "
+            "Not measured since buildings last changed: choose Sun by place in the panel Study, and "
             "press Measure all");
     if (column.work == ScenarioWork::scoring)
         return tr("Not computed with these settings and the weights %1 since buildings last changed: "
@@ -370,7 +370,7 @@ QString ScenarioTable::impactVerdict() const {
         const double changeM2 = one.second.shadowAreaChangeM2;
         return withPlus(changeM2, describeSmallArea(changeM2));
     };
-    const auto ground = [](const Impact& one) { return describeSmallArea(one.second.gross.gainedM2); };
+    const auto ground = [](const Impact& one) { return describeSmallArea(one.second.gross.moreShadowM2); };
     const auto [minimum, maximum] = std::ranges::minmax_element(
         impacts, {}, [](const Impact& one) { return one.second.shadowAreaChangeM2; });
     const double minutes = minimum->second.thresholdMin;

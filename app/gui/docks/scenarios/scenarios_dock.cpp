@@ -42,7 +42,7 @@ QString describeMissing(const QString& key) {
             return name.of == MonthsOf::score
                        ? ScenarioCharts::tr("No scenario has been scored by month: press Score all")
                        : ScenarioCharts::tr(
-                             "No places have been measured: choose Sun by place in the dock "
+                             "No places have been measured: choose Sun by place in the panel "
                              "Study, and press Measure all");
     return ScenarioCharts::tr("No scenario has months yet. %1")
         .arg(QStringLiteral("<a href=\"months\">%1</a>").arg(ScenarioCharts::tr("Measure all by month")));
@@ -223,10 +223,10 @@ QWidget* ScenariosDock::makeButtons() {
         pushButton(tr("Measure all"), "measureAll",
                    tr("Runs the study for scenarios without figures, with the current period and region"));
     auto* score = pushButton(tr("Score all"), "scoreAll",
-                             tr("Computes the missing scores with the table that the dock Weights shows"));
+                             tr("Computes the missing scores with the table that the panel Weights shows"));
     auto* review = pushButton(tr("Review all"), "reviewAll",
                               tr("Reviews the scenarios without verdicts by the rule, the baseline and the "
-                                 "places that are chosen in the dock Review"));
+                                 "places that are chosen in the panel Review"));
     connect(measure, &QPushButton::clicked, this, &ScenariosDock::measureAllRequested);
     connect(score, &QPushButton::clicked, this, &ScenariosDock::scoreAllRequested);
     connect(review, &QPushButton::clicked, this, &ScenariosDock::reviewAllRequested);

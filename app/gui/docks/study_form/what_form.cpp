@@ -63,11 +63,11 @@ QString whyNoContributions(const StudySettings& settings) {
 BreakdownForm::BreakdownForm(QWidget* parent)
     : QWidget(parent),
       months_(makeBox(tr("Each month by itself"), "byMonth",
-                      tr("Also sums the shadow of each month: bars in the dock Contributions, a table and "
+                      tr("Also sums the shadow of each month: bars in the panel Contributions, a table and "
                          "maps in exports"))),
       contributions_(
           makeBox(tr("Contribution of each building"), "byBuilding",
-                  tr("Also finds what each building takes, for the dock Contributions and exports; "
+                  tr("Also finds what each building takes, for the panel Contributions and exports; "
                      "takes up to twice as long.") +
                       QLatin1Char('\n') + define(tr("Attributed shadow"), attributedDefinition()) +
                       QLatin1Char('\n') + define(tr("Sole contribution"), soleDefinition()))),

@@ -56,12 +56,16 @@ void EditActions::take(const std::vector<Edit>& edits, const QString& what) {
     const auto region = regionToFollow(edits);
     QUndoStack& undo = workbench_.document().undoStack();
     if (region) undo.beginMacro(what);
-    if (!workbench_.session().addEdits(edits, what)) tools_.revert();
-    if (!region) return;
+    const bool isDone = workbench_.session().addEdits(edits, what);
+    if (!isDone) tools_.revert();
+    if (region && isDone) moveRegion(*region);
+    if (region) undo.endMacro();
+}
+
+void EditActions::moveRegion(const Region& region) {
     StudySettings settings = workbench_.document().settings();
-    settings.region = *region;
+    settings.region = region;
     workbench_.document().change(settings, tr("region"));
-    undo.endMacro();
     panel_.messages().showNote(
         tr("The study's region is now around what you built; Study > Where changes it"));
 }
@@ -167,7 +171,7 @@ CopyActions::CopyActions(ResultActions& results, ResultsDock& figures, ViewPanel
       panel_(panel),
       copy_(makeAction(this, tr("&Copy"), QKeySequence::Copy,
                        tr("The table or text last clicked, else the picture of the view"), "copy")),
-      figures_(makeAction(this, tr("Copy fi&gures"), {}, tr("The figures of the dock Results, as a table"))),
+      figures_(makeAction(this, tr("Copy fi&gures"), {}, tr("The figures of the panel Results, as a table"))),
       picture_(makeAction(this, tr("C&opy picture"), QKeySequence(tr("Ctrl+Shift+C")),
                           tr("The view with title, legend, scale and north"), "picture")) {
     connect(copy_, &QAction::triggered, this, &CopyActions::copy);

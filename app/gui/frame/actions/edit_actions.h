@@ -39,6 +39,7 @@ private:
     void connectTools();
     void showProject();
     void take(const std::vector<Edit>& edits, const QString& what);
+    void moveRegion(const Region& region);
     [[nodiscard]] std::optional<Region> regionToFollow(const std::vector<Edit>& edits) const;
     void reload(const ImportMesh& edition);
     void changeLot(const NamedLot& lot, const QString& what);

@@ -115,6 +115,17 @@ std::vector<ExportDialog::Subject> ResultActions::exportSubjects() const {
     return subjects;
 }
 
+namespace {
+
+// A study of the city as its files have it.
+bool isStudyOfFiles(Workbench& workbench) {
+    const auto hasEdits = [](const Scenario& scenario) { return !scenario.edits.empty(); };
+    return workbench.answerAs<Study>() &&
+           std::ranges::none_of(workbench.session().project().scenarios, hasEdits);
+}
+
+}  // namespace
+
 // Without a city there is nothing to ask for: the workbench refuses and says why.
 void ResultActions::askForExport() {
     const auto subjects = exportSubjects();
@@ -138,6 +149,9 @@ void ResultActions::makeExportDialog() {
          [this](const ExportChoice& choice) { return workbench_.sheetsOf(drawn(choice)); },
          [this](const ExportChoice& choice) {
              return choice.subject == ExportChoice::Subject::shown && workbench_.answerAs<ReviewAnswer>();
+         },
+         [this](const ExportChoice& choice) {
+             return choice.subject == ExportChoice::Subject::shown && isStudyOfFiles(workbench_);
          }},
         workbench_.session(), &window_);
     connect(dialog_, &ExportDialog::chosen, this, &ResultActions::exportTo);

@@ -50,11 +50,11 @@ ScenarioActions::ScenarioActions(Workbench& workbench, LatestAnswers& answers, P
                              tr("Runs the same study for each scenario, for comparison side by side"),
                              "analyse")),
       scoreAll_(makeAction(this, tr("&Score all scenarios"), {},
-                           tr("Computes the scores that the dock Scenarios lacks, with the table that the "
-                              "dock Weights shows"))),
+                           tr("Computes the scores that the panel Scenarios lacks, with the table that the "
+                              "panel Weights shows"))),
       reviewAll_(makeAction(this, tr("&Review all scenarios"), {},
-                            tr("Reviews the scenarios whose verdicts the dock Scenarios lacks, by the rule "
-                               "chosen in the dock Review"))),
+                            tr("Reviews the scenarios whose verdicts the panel Scenarios lacks, by the rule "
+                               "chosen in the panel Review"))),
       exportBuildings_(
           makeAction(this, tr("&Export buildings..."), {},
                      tr("Writes the buildings that the displayed scenario proposes as glTF, OBJ, "

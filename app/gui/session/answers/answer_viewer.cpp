@@ -4,6 +4,8 @@
 #include <QObject>
 #include <algorithm>
 #include <array>
+#include <map>
+#include <memory>
 
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/name_text.h"
@@ -31,7 +33,7 @@ QString titleOfAny(const Answer& answer) {
 
 const AnswerViewer anyViewer{.layer = layerOfAny, .rows = rowsOfAny, .ownTitle = titleOfAny};
 
-// Scenarios have no other names in a sentence.
+// All arguments are names of scenarios or of weight tables; those that the program gives are translated.
 QString localText(Sentence sentence) {
     for (Sentence::Argument& one : sentence.arguments)
         one = scenarioName(std::get<std::string>(one)).toStdString();
@@ -99,16 +101,41 @@ std::string nameToSave(const Answer& answer) {
 QString shownName(const MeasuredAnswer& measured) {
     const auto& answer = measured.known().answer;
     return answer ? translatedName(measured.name(), viewerOf(*answer), answer->part(), dayOf(*answer))
-                  : shownName(*measured.toSave());
+                  : shownName(measured.toSave());
 }
 
-QString shownName(const SavedResult& result) {
-    const auto origin = readSavedOrigin(result);
-    if (!origin) return QString::fromStdString(result.name);
+namespace {
+
+// What the name of a saved result is made of, besides its own columns.
+struct NameParts {
+    std::optional<TimeWeights> weights;
+    std::string day;
+};
+
+std::optional<NameParts> readNameParts(const SavedResult& result) {
     constexpr std::size_t lettersOfDay = 10;  // "2026-06-21, 1 day, ..."
+    const auto origin = readSavedOrigin(result);
+    if (!origin) return std::nullopt;
+    return NameParts{origin->weights, origin->period.substr(0, lettersOfDay)};
+}
+
+QString shownName(const SavedResult& result, const std::optional<NameParts>& parts) {
+    if (!parts) return QString::fromStdString(result.name);
     return translatedName(result.name, viewerOf(result.kind),
-                          {result.scenario, result.baseline, {}, origin->weights},
-                          origin->period.substr(0, lettersOfDay));
+                          {result.scenario, result.baseline, {}, parts->weights}, parts->day);
+}
+
+}  // namespace
+
+QString shownName(const SavedResult& result) { return shownName(result, readNameParts(result)); }
+
+// Lists ask for all names at each change of the project; a result of thousands of places holds megabytes.
+QString shownName(const std::shared_ptr<const SavedResult>& result) {
+    static std::map<std::weak_ptr<const SavedResult>, std::optional<NameParts>, std::owner_less<>> known;
+    const auto found = known.find(result);
+    if (found != known.end()) return shownName(*result, found->second);
+    std::erase_if(known, [](const auto& one) { return one.first.expired(); });
+    return shownName(*result, known.emplace(result, readNameParts(*result)).first->second);
 }
 
 const AnswerViewer& viewerOf(const Answer& answer) { return viewerOf(answer.question().key); }
@@ -132,7 +159,7 @@ QString keptAt(const SavedOrigin& origin) {
 
 QString noteOf(const SavedContent& result) {
     const QString saved =
-        QObject::tr("Saved %1: %2").arg(keptAt(result.answer.origin), shownName(*result.result));
+        QObject::tr("Saved %1: %2").arg(keptAt(result.answer.origin), shownName(result.result));
     return result.upToDate() ? saved : QObject::tr("%1. Outdated").arg(saved);
 }
 
@@ -156,7 +183,7 @@ std::vector<ResultRow> rowsOfSaved(const Answer& answer, ShownAs show) {
     const auto& saved = *answer.as<SavedContent>();
     const SavedOrigin& origin = saved.answer.origin;
     std::vector<ResultRow> rows{
-        {QObject::tr("Saved result"), shownName(*saved.result),
+        {QObject::tr("Saved result"), shownName(saved.result),
          QObject::tr("As saved in the project, not recomputed")},
         {QObject::tr("Scenario"), scenarioName(saved.result->scenario), {}},
         {QObject::tr("Region"),
@@ -174,7 +201,7 @@ std::vector<ResultRow> rowsOfSaved(const Answer& answer, ShownAs show) {
 }
 
 QString titleOfSaved(const Answer& answer) {
-    return QObject::tr("Saved result %1").arg(shownName(*answer.as<SavedContent>()->result));
+    return QObject::tr("Saved result %1").arg(shownName(answer.as<SavedContent>()->result));
 }
 
 // When the result was saved, and each change since.

@@ -53,7 +53,9 @@ QString listedName(const Answer& answer);
 std::string storedName(const Answer& answer);
 std::string nameToSave(const Answer& answer);
 QString shownName(const MeasuredAnswer& measured);
+/// The second remembers what it read of the result; for the window's thread.
 QString shownName(const SavedResult& result);
+QString shownName(const std::shared_ptr<const SavedResult>& result);
 
 /// The row of the question with this key, or that of all others.
 const AnswerViewer& viewerOf(std::string_view question);

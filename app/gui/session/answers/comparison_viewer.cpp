@@ -60,10 +60,10 @@ const AnswerViewer& comparisonViewer() {
 }
 
 QString describeChangedArea(const ChangeFigures& figures, ShownAs show) {
-    if (figures.gainedM2 == 0 && figures.lostM2 == 0) return QObject::tr("no change");
+    if (figures.moreShadowM2 == 0 && figures.lessShadowM2 == 0) return QObject::tr("no change");
     QStringList words;
-    const double moreM2 = show == ShownAs::shadow ? figures.gainedM2 : figures.lostM2;
-    const double lessM2 = show == ShownAs::shadow ? figures.lostM2 : figures.gainedM2;
+    const double moreM2 = show == ShownAs::shadow ? figures.moreShadowM2 : figures.lessShadowM2;
+    const double lessM2 = show == ShownAs::shadow ? figures.lessShadowM2 : figures.moreShadowM2;
     if (moreM2 > 0) words << QObject::tr("%1 more").arg(describeArea(moreM2));
     if (lessM2 > 0) words << QObject::tr("%1 less").arg(describeArea(lessM2));
     return words.join(QLatin1Char('\n'));

@@ -73,7 +73,7 @@ void EditTools::makeActions() {
                   "snapping; Enter finishes, Esc cancels"));
     editLot_ =
         action(tr("Edit lot &shape"), QKeySequence(tr("Ctrl+Shift+L")),
-               tr("Drag the corners and sides of the lot that is chosen in the dock Tower, or that the "
+               tr("Drag the corners and sides of the lot that is chosen in the panel Tower, or that the "
                   "selected building stands on"));
     demolish_ =
         action(tr("&Demolish"), Qt::Key_Delete, tr("Removes the selected building, or all of several"));

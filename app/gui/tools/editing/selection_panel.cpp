@@ -56,6 +56,14 @@ Result<PreservedFloorArea> massOf(const Building& building, const City& city,
 
 namespace {
 
+// The height of a part from the ground it stands on; of one that stands on others that of the building.
+double findHeightOfPart(const Part& part, const City& city, double buildingM) {
+    constexpr float nearGroundM = 0.5F;
+    if (part.footprint.outer.empty()) return buildingM;
+    const float groundM = groundAt(city, glm::dvec2(part.footprint.outer.front()));
+    return part.bottomM > groundM + nearGroundM ? buildingM : double(part.topM) - double(part.bottomM);
+}
+
 // The height of its highest part, and where that height comes from.
 void addHeights(BuildingFacts& facts, const Building& building, const City& city, double levelM) {
     facts.heightM = double(heightM(building, city));
@@ -64,7 +72,7 @@ void addHeights(BuildingFacts& facts, const Building& building, const City& city
     facts.hasElevations = city.terrain != nullptr || city.frame.originElevationM() != 0;
     const auto highest = std::ranges::max_element(building.parts, {}, &Part::topM);
     if (highest == building.parts.end()) return;
-    facts.highestPartM = double(highest->topM) - double(highest->bottomM);
+    facts.highestPartM = findHeightOfPart(*highest, city, facts.heightM);
     facts.heightSource = describeSource(highest->heightSource);
     facts.storeysAreStated = highest->heightSource == HeightSource::levels;
     if (facts.storeysAreStated) facts.storeyHeightM = levelM;

@@ -23,8 +23,8 @@ struct BuildingFacts {
     QString id;
     double heightM = 0;           ///< above the ground at the building
     double groundElevationM = 0;  ///< of that ground, above the datum
-    double highestPartM = 0;  ///< above its own underside or ground: less where it stands higher than others
-    bool hasElevations = false;  ///< the files state elevations
+    double highestPartM = 0;      ///< above its own ground: less where that lies higher than that of others
+    bool hasElevations = false;   ///< the files state elevations
     QString heightSource;
     double storeyHeightM = defaultStoreyM;  ///< of the design or of the data's storeys, else the usual one
     bool designed = false;                  ///< storeys and floor area are those of a design

@@ -61,7 +61,7 @@ std::vector<PlaceChange> measurePlaces(const Impact& impact, const std::vector<G
         if (change.figures.gross.anyMoreShadowM2 > 0) changes.push_back(std::move(change));
     }
     std::ranges::stable_sort(changes, std::greater(), [](const PlaceChange& one) {
-        return std::tuple(one.figures.gross.gainedM2, one.figures.gross.maxGainedMin);
+        return std::tuple(one.figures.gross.moreShadowM2, one.figures.gross.maxMoreShadowMin);
     });
     return changes;
 }

@@ -31,14 +31,15 @@ QString describeNewShadow(const LiveChange& change) {
             .arg(describeSmallArea(change.figures.front().gross.anyMoreShadowM2));
     QStringList areas;
     for (const ImpactFigures& figures : change.figures)
-        areas << overThreshold(figures.gross.gainedM2, figures.thresholdMin);
+        areas << overThreshold(figures.gross.moreShadowM2, figures.thresholdMin);
     // A comparison on other cells finds an area that differs by a part of the cells at the shadow's edge.
     return QObject::tr("New shadow a day, by cells of %1: %2")
         .arg(describeLength(change.impact.grid.cellM), areas.join(QStringLiteral(", ")));
 }
 
 QString describeWorst(const LiveChange& change) {
-    return QObject::tr("Worst spot: +%1 min a day").arg(minutesOf(change.figures.front().gross.maxGainedMin));
+    return QObject::tr("Worst spot: +%1 min a day")
+        .arg(minutesOf(change.figures.front().gross.maxMoreShadowMin));
 }
 
 QString describeLess(const LiveChange& change) {
@@ -46,7 +47,7 @@ QString describeLess(const LiveChange& change) {
     if (isInstant(change.impact))
         return QObject::tr("Less shadow: %1").arg(describeSmallArea(figures.gross.anyLessShadowM2));
     return QObject::tr("Less shadow a day: %1")
-        .arg(overThreshold(figures.gross.lostM2, figures.thresholdMin));
+        .arg(overThreshold(figures.gross.lessShadowM2, figures.thresholdMin));
 }
 
 QString describePlace(const PlaceChange& place, bool instant) {
@@ -54,8 +55,8 @@ QString describePlace(const PlaceChange& place, bool instant) {
     const QString name = placeName(place.name);
     QString words = instant ? QObject::tr("%1: %2").arg(name, describeSmallArea(gross.anyMoreShadowM2))
                             : QObject::tr("%1: %2, up to +%3 min")
-                                  .arg(name, overThreshold(gross.gainedM2, place.figures.thresholdMin),
-                                       minutesOf(gross.maxGainedMin));
+                                  .arg(name, overThreshold(gross.moreShadowM2, place.figures.thresholdMin),
+                                       minutesOf(gross.maxMoreShadowMin));
     if (!place.whole) words += QObject::tr(" (of the part that is measured)");
     return words;
 }

@@ -250,6 +250,7 @@ void ViewPanel::showCity(std::shared_ptr<const OpenCity> city) {
     view_->showTrees(city_->city().trees, city_->crowns);
     results_->forget();
     map_->showCity(city_->city());
+    showLines();  // on its ground
     markPlaces();
 }
 
@@ -269,19 +270,41 @@ void ViewPanel::highlightPlace(const std::string& name) {
 // A place gets its name at the middle of its largest polygon.
 void ViewPanel::markPlaces() {
     if (!city_) return;
-    std::vector<PlaceMarks::Mark> marks;
+    placeMarks_.clear();
     for (const Place& place : places_) {
         const auto largest = std::ranges::max_element(place.polygons, {},
                                                       [](const Footprint& polygon) { return area(polygon); });
         const glm::dvec2 at = findMarkPoint(*largest);
-        marks.push_back({placeName(place.name),
-                         {at.x, at.y, double(groundAt(city_->city(), at))},
-                         area(*largest),
-                         hasOwnName(place),
-                         makeGroundLines({place.name, place.polygons}, city_->city())});
+        placeMarks_.push_back({placeName(place.name),
+                               {at.x, at.y, double(groundAt(city_->city(), at))},
+                               area(*largest),
+                               hasOwnName(place),
+                               makeGroundLines({place.name, place.polygons}, city_->city())});
     }
+    showMarks();
+}
+
+// Of the region after those of places, whose indices stay.
+void ViewPanel::showMarks() {
+    if (!city_) return;
+    std::vector<PlaceMarks::Mark> marks = placeMarks_;
+    if (auto region = markRegion()) marks.push_back(*std::move(region));
     view_->places().show(std::move(marks));
     highlightPlace(highlighted_);
+}
+
+// Its name stands on its northernmost side, before those of places.
+std::optional<PlaceMarks::Mark> ViewPanel::markRegion() const {
+    if (!regionShown_ || region_.polygons.empty()) return std::nullopt;
+    const Ring& ring = region_.polygons.front().outer;
+    glm::dvec2 at{0, std::numeric_limits<double>::lowest()};
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        if (const glm::dvec2 middle = (glm::dvec2(ring[i]) + glm::dvec2(ring[(i + 1) % ring.size()])) * 0.5;
+            middle.y > at.y)
+            at = middle;
+    constexpr double firstM2 = 1e12;
+    return PlaceMarks::Mark{
+        tr("Region"), {at.x, at.y, double(groundAt(city_->city(), at))}, firstM2, true, {}};
 }
 
 // A name stays where only low things, or what is on the place itself, lie before it.
@@ -307,14 +330,17 @@ void ViewPanel::hoverPlace(const std::optional<Pick>& pick) {
 }
 
 void ViewPanel::showRegion(const Region& region) {
+    if (region == region_) return;
     region_ = region;
     showLines();
+    showMarks();
 }
 
 void ViewPanel::setRegionShown(bool shown) {
     if (shown == regionShown_) return;
     regionShown_ = shown;
     showLines();
+    showMarks();
 }
 
 void ViewPanel::showLines() {

@@ -14,6 +14,7 @@
 #include "app/gui/session/study/open_city.h"
 #include "app/gui/view/panel/ground_layers.h"
 #include "app/gui/view/panel/legend_strip.h"
+#include "app/gui/view/panel/map_layer.h"
 #include "app/gui/view/panel/polygon_drawing.h"
 #include "app/gui/view/panel/result_layer.h"
 #include "app/gui/view/panel/view_picture.h"
@@ -110,6 +111,8 @@ private:
     void connectDrawing();
     void showCrossCursor(bool cross);
     void markPlaces();
+    void showMarks();
+    [[nodiscard]] std::optional<PlaceMarks::Mark> markRegion() const;
     [[nodiscard]] bool isHidden(const glm::dvec3& at) const;
     void hoverPlace(const std::optional<Pick>& pick);
     void showLines();
@@ -144,6 +147,7 @@ private:
     Region region_;
     bool regionShown_ = true;
     std::vector<Place> places_;
+    std::vector<PlaceMarks::Mark> placeMarks_;  ///< by place
     std::vector<LegendPatch> buildingPatches_;
     std::string highlighted_;  ///< name of a place
 };

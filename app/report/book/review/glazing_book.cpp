@@ -38,11 +38,7 @@ TextBlocks summaryOf(const GlazingBookSource& source) {
     blocks.push_back(body(plainText(study.rule.summary)));
     blocks.push_back(body(QStringLiteral("Proposal: %1. Baseline: %2.")
                               .arg(plainText(source.labels.to), plainText(source.labels.from))));
-    const FigureStatus status = findLeastCertain(study.rule);
-    blocks.push_back(
-        body(QStringLiteral("The least sure of what a verdict rests on was %1 (%2): %3.")
-                 .arg(plainText(meaningOf(status)), plainText(ruleNameOf(figureStatusNames(), status)),
-                      plainText(nameLeastCertain(study.rule)))));
+    blocks.push_back(body(plainText(describeLeastCertain(study.rule))));
     blocks.push_back(body(plainText(study.trees) + u'.'));
     blocks.push_back(heading(QStringLiteral("Not checked")));
     for (const std::string& text : study.notChecked) blocks.push_back(body(plainText(text)));

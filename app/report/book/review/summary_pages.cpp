@@ -68,11 +68,7 @@ TextBlocks introduction(const ReviewScene& scene) {
                               .arg(study.year)
                               .arg(plainText(study.engine), describeAmount(study.stepMinutes, 2),
                                    describeAmount(study.settings.cellM, 2), plainText(study.trees))));
-    const FigureStatus status = findLeastCertain(study.rule);
-    blocks.push_back(
-        body(QStringLiteral("The least sure of what a verdict rests on was %1 (%2): %3.")
-                 .arg(plainText(meaningOf(status)), plainText(ruleNameOf(figureStatusNames(), status)),
-                      plainText(nameLeastCertain(study.rule)))));
+    blocks.push_back(body(plainText(describeLeastCertain(study.rule))));
     if (scene.moments.empty())
         blocks.push_back(body(
             QStringLiteral("Figures only: the sun is not up at the rule's times, so no diagram is drawn.")));

@@ -45,7 +45,7 @@ struct BoxTree::Builder {
                 const auto halves = halve(parts[i]);
                 parts[2 * i] = halves[0], parts[2 * i + 1] = halves[1];
             }
-        std::ranges::stable_partition(parts, [](Obstacles some) { return !some.empty(); });
+        std::stable_partition(parts.begin(), parts.end(), [](Obstacles some) { return !some.empty(); });
         return parts;
     }
 

@@ -52,6 +52,14 @@ TEST(FileKind, WhatIsNoCityIsAnErrorWithAdvice) {
     }
 }
 
+TEST(FileKind, AFolderThatIsNoDatasetSaysWhatToName) {
+    const tests::TemporaryFolder folder;
+    (void)folder.file("tile.gml", "<CityModel/>");
+    const auto kind = detectFileKind(folder.path(""));
+    ASSERT_FALSE(kind);
+    EXPECT_EQ(kind.error().what, "This folder is no file geodatabase and holds no Shapefiles");
+}
+
 TEST(FileKind, OpenStreetMapPbf) {
     const auto file = tests::sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
     if (!file) GTEST_SKIP() << "shared data is missing";

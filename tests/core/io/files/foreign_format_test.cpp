@@ -20,6 +20,7 @@ struct Foreign {
 };
 
 TEST(ForeignFormat, IsRefusedByItsNameWithWhatToDo) {
+    const std::string tar = "town.geojson" + std::string(245, '\0') + "ustar";
     const Foreign files[] = {
         {"a.epw", "LOCATION,Chicago Ohare Intl Ap,IL,USA,TMY3,725300,41.98,-87.92,-6.0,201.0\n", "EPW",
          "needs no weather"},
@@ -41,6 +42,7 @@ TEST(ForeignFormat, IsRefusedByItsNameWithWhatToDo) {
         {"a.jml", "<?xml version='1.0'?><JCSDataFile xmlns:gml='http://www.opengis.net/gml'>", "OpenJUMP",
          "GeoPackage"},
         {"a.ifczip", "PK\3\4"sv, "IFC in a ZIP", "Unpack"},
+        {"a.tar", tar, "tar", "Unpack"},
         {"a.dbf", "\3\x7C"sv, "Shapefile", ".shp"},
         {"a.png", "\x89PNG"sv, "PNG", "GeoTIFF"},
         {"a.stp", "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));", "STEP", "IFC"},

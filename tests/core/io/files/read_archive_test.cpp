@@ -146,6 +146,51 @@ TEST_F(ReadArchive, ShapefilesOfOneFolderAreLayersOfOneMap) {
     EXPECT_EQ(city->city.buildings.size(), 2273U) << "those that are there twice count once";
 }
 
+TEST_F(ReadArchive, TreesOfAMapComeWithIt) {
+    constexpr const char* street =
+        "<osm version='0.6'><node id='1' lat='40.75' lon='-73.98'/><node id='2' lat='40.75' lon='-73.9798'/>"
+        "<node id='3' lat='40.7502' lon='-73.98'/><node id='4' lat='40.7504' lon='-73.98'>"
+        "<tag k='natural' v='tree'/><tag k='height' v='12'/></node><way id='1'><nd ref='1'/><nd ref='2'/>"
+        "<nd ref='3'/><nd ref='1'/><tag k='building' v='yes'/><tag k='height' v='9'/></way></osm>";
+    const auto city = readBytes("street.osm.gz", gzipped(street, folder));
+    ASSERT_TRUE(city) << city.error().text();
+    ASSERT_TRUE(city->city.trees);
+    ASSERT_EQ(city->city.trees->trees.size(), 1U);
+    EXPECT_EQ(city->city.trees->trees[0].heightM, 12);
+}
+
+// A block of 5 x 5 cells whose middle no elevation is known of, on level ground.
+TEST_F(ReadArchive, HolesOfASurfaceStayHoles) {
+    constexpr const char* head =
+        "ncols 13\nnrows 13\nxllcorner 391800\nyllcorner 5819500\ncellsize 4\nNODATA_value -9999\n";
+    std::string surface = head, ground = head;
+    for (int row = 0; row < 13; ++row)
+        for (int column = 0; column < 13; ++column) {
+            const int far = std::max(std::abs(row - 6), std::abs(column - 6));
+            surface += far == 0 ? "-9999 " : far <= 2 ? "52.5 " : "40.5 ";
+            ground += "40.5 ";
+        }
+    ZipMaker zip;
+    zip.add("dsm.asc", surface);
+    NoProgress quiet;
+    for (const auto& dsm : {folder.file("dsm.asc", surface), folder.file("dsm.zip", zip.text())}) {
+        const auto city = readCity({dsm, folder.file("dtm.asc", ground)}, {.crs = "EPSG:25833"}, quiet, {});
+        ASSERT_TRUE(city) << city.error().text();
+        double areaM2 = 0;
+        for (const auto& building : city->city.buildings)
+            for (const Part& part : building->parts) areaM2 += area(part.footprint);
+        EXPECT_NEAR(areaM2, 24 * 16, 1) << dsm;
+    }
+}
+
+TEST_F(ReadArchive, WhatIsNotReadIsNamedWithWhatToDo) {
+    ZipMaker zip;
+    zip.add("readme.txt", "hello");
+    zip.add("scan/points.las", "LASF" + std::string(300, '\0'));
+    expectRefused(zip.text(), "\"points.las\": this is LAS or LAZ, a point cloud, which is not read");
+    expectRefused(zip.text(), "Make a GeoTIFF of its ground points");
+}
+
 TEST_F(ReadArchive, SeveralFilesThatAreNoTilesAreNamed) {
     ZipMaker zip;
     zip.add("houses.geojson", packedSquare);

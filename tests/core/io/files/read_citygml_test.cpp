@@ -370,10 +370,10 @@ TEST(ReadCityGml, TreesHaveTheMeasuresThatTheyOrTheirShapesState) {
 
 // A box of some 10 m near Bonn or Tokyo, in degrees.
 std::string boxInDegrees(glm::dvec2 lonLat, bool latitudeFirst) {
-    const glm::dvec3 low(latitudeFirst ? glm::dvec2(lonLat.y, lonLat.x) : lonLat, 3);
-    return gmlBuilding("house", "<bldg:lod1Solid>" +
-                                    gmlSolid(gmlBoxFaces(low, low + glm::dvec3(1e-4, 1e-4, 9))) +
-                                    "</bldg:lod1Solid>");
+    glm::dvec3 low(latitudeFirst ? glm::dvec2(lonLat.y, lonLat.x) : lonLat, 3);
+    glm::dvec3 high = low + glm::dvec3(1e-4, 1e-4, 9);
+    if (latitudeFirst) std::swap(low.x, high.x);  // turned back, the faces look outward
+    return gmlBuilding("house", "<bldg:lod1Solid>" + gmlSolid(gmlBoxFaces(low, high)) + "</bldg:lod1Solid>");
 }
 
 TEST(ReadCityGml, TheOrderOfTheAxesIsTheAuthoritysUnlessThePlaceSaysOtherwise) {
@@ -410,6 +410,22 @@ TEST(ReadCityGml, CoordinatesTurnedAgainstTheirEnvelopeAreTurnedBack) {
     ASSERT_TRUE(piece) << piece.error().text();
     EXPECT_NEAR(piece->frame->origin().lonDeg, 6.95, 0.01);
     EXPECT_TRUE(warns(*piece, "not in the order of their reference system"));
+}
+
+// Both orders lie on earth: 6.95 N 50.94 E is in the Indian Ocean. A city read in the wrong order is a
+// mirror image, whose faces look inward.
+TEST(ReadCityGml, CoordinatesThatMirrorTheBuildingsAreTurnedBack) {
+    for (const char* envelope : {"",
+                                 "<gml:lowerCorner>6.9 50.9 0</gml:lowerCorner>"
+                                 "<gml:upperCorner>7 51 99</gml:upperCorner>"}) {
+        const auto piece = readGmlText(
+            cityGml(boxInDegrees({6.95, 50.94}, false), "2.0", "urn:ogc:def:crs:EPSG::4979", envelope));
+        ASSERT_TRUE(piece) << piece.error().text();
+        EXPECT_NEAR(piece->frame->origin().lonDeg, 6.95, 0.01);
+        EXPECT_NEAR(piece->frame->origin().latDeg, 50.94, 0.01);
+        EXPECT_TRUE(warns(*piece, "in which the buildings are mirror images"));
+        EXPECT_FALSE(warns(*piece, "pointed inward"));
+    }
 }
 
 TEST(ReadCityGml, TheNamesOfTheGermanSurveysAreKnown) {

@@ -299,6 +299,9 @@ TEST_F(ReadFootprints, ASolidIsAsHighAsItsFaces) {
                     solidText(manhattan) + "]}}");
     EXPECT_NEAR(heightOf(*piece.buildings.at(0)), 17, 1e-3);
     EXPECT_EQ(piece.buildings.at(0)->parts.at(0).heightSource, HeightSource::measured);
+    EXPECT_TRUE(std::ranges::none_of(piece.warnings, [](const Warning& warning) {
+        return warning.kind == WarningKind::dropped;
+    })) << "walls have no outline, and nothing of them is lost";
 }
 
 std::string flatOutline(int i, double z, const std::string& properties) {

@@ -206,6 +206,17 @@ TEST(MeshOnMap, ColladaStatesItsAxisAndUnit) {
     EXPECT_NEAR(topM(*y->buildings.at(0)), 12, 0.01);
 }
 
+TEST(MeshOnMap, AnUnnamedNodeOfColladaIsCalledByItsShape) {
+    ReadSettings settings;
+    settings.meshAnchor = LonLat{4.9, 52.37};
+    std::string text = daeOf(cornersAt({0, 0, 0}, boxSize), "Z_UP", "1");
+    constexpr std::string_view named = R"(<node id="n" name="tower">)";
+    text.replace(text.find(named), named.size(), "<node>");
+    const auto piece = readMapMesh("a.dae", text, settings);
+    ASSERT_TRUE(piece) << piece.error().text();
+    EXPECT_EQ(piece->buildings.at(0)->sourceId, "tower");
+}
+
 TEST(MeshOnMap, ACoordinateSystemThatCannotBeIsRefused) {
     const auto piece = readMapMesh("a.obj", objOf(cornersAt(rdPlace)), onMap("EPSG:25833"));
     ASSERT_FALSE(piece);

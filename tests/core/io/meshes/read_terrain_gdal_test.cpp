@@ -210,6 +210,7 @@ TEST(ReadTerrain, FirstOfSeveralBands) {
     ASSERT_TRUE(piece) << piece.error().text();
     EXPECT_LT(worstError(*piece, *piece->frame, raster), 0.1);
     EXPECT_TRUE(warns(*piece, "several bands"));
+    EXPECT_TRUE(piece->crs.ends_with(", as the file states")) << piece->crs;
 }
 
 TEST(ReadTerrain, FarAwayIsCut) {

@@ -107,6 +107,21 @@ TEST(MeshUnits, MillimetresAndInchesAreUnits) {
     EXPECT_NEAR(heightIn(LengthUnit::millimetres), 0.02, 1e-5);
 }
 
+TEST(MeshUnits, AMeshHigherThanAnyTownIsDoubtedAndOtherUnitsAreNamed) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.file(
+        "tower.obj",
+        "v 0 0 0\nv 500 0 0\nv 500 500 0\nv 0 500 0\nv 0 0 1500\nv 500 0 1500\nv 500 500 1500\nv 0 500 1500\n"
+        "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    const auto read = [&](LengthUnit unit) {
+        const auto piece = readMeshFile(file, {.upAxis = UpAxis::z, .meshUnit = unit});
+        return piece ? textsOf(piece->warnings) : piece.error().text();
+    };
+    EXPECT_THAT(read(LengthUnit::metres),
+                HasSubstr("in metres the mesh is 1500 m high (ft: 457.2 m, in: 38.1 m, cm: 15.0 m"));
+    EXPECT_THAT(read(LengthUnit::inches), testing::Not(HasSubstr("states no unit")));
+}
+
 TEST(MeshScale, ComesBeforeTheLimitsOfABuilding) {
     const tests::TemporaryFolder folder;
     const auto file =
