@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "core/engines/ray/surface_rays.h"
 #include "core/engines/trees/crowns.h"
@@ -268,7 +269,11 @@ SkyCrowns::SkyCrowns(const City& city) {
     }
     constexpr int days = 365;
     std::map<std::vector<std::uint8_t>, int> known;
-    for (int day = 1; day <= days; ++day) ++known[findSeasonsInLeaf(seasons, day)];
+    for (int day = 1; day <= days; ++day) {
+        std::vector<std::uint8_t> inLeaf;
+        for (const LeafDays& season : seasons.days()) inLeaf.push_back(season.inLeafOn(day) ? 1 : 0);
+        ++known[std::move(inLeaf)];
+    }
     for (const auto& [inLeaf, count] : known) year_.push_back({inLeaf, double(count) / days});
     alwaysInLeaf_.push_back({std::vector<std::uint8_t>(seasons.days().size(), 1), 1});
 }

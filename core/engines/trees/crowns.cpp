@@ -40,18 +40,13 @@ Crown makeCrown(const Tree& tree, LeafSeasons& seasons) {
 
 }  // namespace
 
-std::vector<std::uint8_t> findSeasonsInLeaf(const LeafSeasons& seasons, int day) {
-    std::vector<std::uint8_t> inLeaf;
-    for (const LeafDays& season : seasons.days()) inLeaf.push_back(season.inLeafOn(day) ? 1 : 0);
-    return inLeaf;
-}
-
 LeafPhases findLeafPhases(const LeafSeasons& seasons, std::span<const int> days) {
     LeafPhases phases;
     if (seasons.areOne()) return phases;
     std::map<std::string, std::uint16_t> known;  // by a letter for each season
     for (const int day : days) {
-        std::vector<std::uint8_t> inLeaf = findSeasonsInLeaf(seasons, day);
+        std::vector<std::uint8_t> inLeaf;
+        for (const LeafDays& season : seasons.days()) inLeaf.push_back(season.inLeafOn(day) ? 1 : 0);
         const auto [found, isNew] =
             known.try_emplace(std::string(inLeaf.begin(), inLeaf.end()), std::uint16_t(phases.inLeaf.size()));
         if (isNew) phases.inLeaf.push_back(std::move(inLeaf));

@@ -36,9 +36,6 @@ struct LeafPhases {
     }
 };
 
-/// By number of the seasons: 1 where trees of it are in leaf on a day of the year.
-std::vector<std::uint8_t> findSeasonsInLeaf(const LeafSeasons& seasons, int day);
-
 /// `days`: of the year, 1 to 366, in time order. Empty where there is one season.
 LeafPhases findLeafPhases(const LeafSeasons& seasons, std::span<const int> days);
 /// The same of the steps of a period.
@@ -48,10 +45,9 @@ LeafPhases findLeafPhases(const LeafSeasons& seasons, const SunSteps& sun);
 struct CrownScene {
     std::vector<Crown> crowns;
     std::vector<std::uint32_t> trees;  ///< of each crown: index in City::trees
-    /// One per step: 1 where trees that lose their leaves have them. All 0 where some have leaf days of their
-    /// own: by the step's phase, what is bare then is `phases.perM()`.
+    /// One per step: 1 where trees that lose their leaves have them. All 0 where there are phases: what is
+    /// bare by the step's phase then is `phases.perM()`.
     std::vector<std::uint8_t> inLeaf;
-    /// Empty where the period has one phase, too: crowns' depths out of season then are those in it.
     LeafPhases phases;
     [[nodiscard]] bool empty() const { return crowns.empty(); }
 };
