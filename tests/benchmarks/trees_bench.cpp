@@ -3,21 +3,29 @@
 // the sweep's columns are compared with exact rays on a sample of receivers; then all are timed in turn.
 // Longest runs are those of the city without its overhangs.
 // "district": 2 x 2 km with 100,000 trees, and with a canopy raster of 1 m of which a quarter is canopy.
+// "drag": one of the file's trees among all others follows a hand along 22 m, and the table of the region and
+// of squares of 100 m follows it.
 //
-//     trees_bench FILE.osm.pbf [columns|district] [rounds] [receivers in the sample]
+//     trees_bench FILE.osm.pbf [columns|district|drag] [rounds] [receivers in the sample]
 #include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <numeric>
 #include <random>
 #include <string>
 
+#include "app/gui/tools/live/live_trees.h"
 #include "core/city/trees/tree_facts.h"
 #include "core/engines/horizon/horizon_sweep.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/engines/shade_trees.h"
 #include "core/engines/trees/crowns.h"
+#include "core/study/study.h"
 #include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;
@@ -239,6 +247,86 @@ int benchDistrict(const City& city, std::size_t sampleSize) {
     return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
+const Tree& findMiddleTree(const City& city) {
+    const Box2 box = bounds(city);
+    const glm::dvec2 middle((box.low + box.high) * 0.5F);
+    return *std::ranges::min_element(city.trees->trees, {}, [&](const Tree& tree) {
+        return std::hypot(tree.place.x - middle.x, tree.place.y - middle.y);
+    });
+}
+
+std::shared_ptr<const Study> studyAround(const City& city, glm::vec2 middle, float sideM, int days,
+                                         double stepMinutes) {
+    const glm::vec2 half(sideM / 2);
+    StudySettings settings;
+    settings.region = makeRegionFromLocalBox({middle - half, middle + half});
+    settings.receivers.cellM = 1;
+    settings.engine = "horizon";
+    settings.engineSettings = {{"runs", 0}};
+    settings.period.start = std::chrono::year(2026) / 3 / 21;
+    settings.period.days = days;
+    settings.period.hours = 8;
+    settings.period.stepMinutes = stepMinutes;
+    settings.errorSample.receivers = 0;
+    NoProgress quiet;
+    return std::make_shared<const Study>(taken(runStudy(city, settings, quiet, {})));
+}
+
+std::vector<GridPlace> cutIntoSquares(const Receivers& receivers) {
+    constexpr int sideCells = 100;
+    std::map<std::pair<int, int>, GridPlace> squares;
+    for (const std::uint32_t cell : receivers.cells)
+        squares[{int(cell) / receivers.grid.columns / sideCells,
+                 int(cell) % receivers.grid.columns / sideCells}]
+            .cells.push_back(cell);
+    std::vector<GridPlace> places;
+    for (auto& [at, place] : squares) places.push_back(std::move(place));
+    return places;
+}
+
+void print(std::string_view what, const std::vector<double>& seconds) {
+    const double mean = std::accumulate(seconds.begin(), seconds.end(), 0.0) / double(seconds.size());
+    fmt::print("    {:<28} mean {:5.2f} ms, worst {:5.2f} ms\n", what, 1e3 * mean,
+               1e3 * *std::ranges::max_element(seconds));
+}
+
+// Processor time of all cores together, for each of 40 places of the tree.
+void drag(LiveTreeShade& live, const Study& study, std::string_view round) {
+    constexpr int places = 40;
+    constexpr double wayM = 22;
+    const std::vector<GridPlace> squares = cutIntoSquares(study.receivers);
+    std::vector<double> field, table;
+    for (int i = 0; i < places; ++i) {
+        ShadowField now;
+        field.push_back(secondsOf([&] {
+                            now = live.with({.byM = {wayM * i / (places - 1), 0}, .planted = {}});
+                        }).processor);
+        table.push_back(
+            secondsOf([&] { comparePlaces(study.receivers, squares, live.before(), now); }).processor);
+    }
+    std::vector<double> both;
+    std::ranges::transform(field, table, std::back_inserter(both), std::plus());
+    fmt::print("  {}, {} places\n", round, squares.size());
+    print("shade", field);
+    print("table", table);
+    print("both", both);
+}
+
+int benchDrag(const City& city) {
+    if (!city.trees || city.trees->trees.empty()) return EXIT_FAILURE;
+    const Tree& tree = findMiddleTree(city);
+    for (const float sideM : {400.0F, 800.0F})
+        for (const auto& [days, stepMinutes] : {std::pair(1, 1.0), std::pair(365, 30.0)}) {
+            const auto study = studyAround(city, glm::vec2(tree.place), sideM, days, stepMinutes);
+            const auto live = taken(LiveTreeShade::of(study, {.moved = {tree.sourceId}, .planted = {}}, {}));
+            fmt::print("{} m, {} days: one of {} trees, {} receivers, {} patches\n", sideM, days,
+                       city.trees->trees.size(), study->receivers.cells.size(), live->patches());
+            drag(*live, *study, "the first time");
+            drag(*live, *study, "again");
+        }
+    return EXIT_SUCCESS;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -246,8 +334,9 @@ int main(int argc, char** argv) {
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     if (argc < 2) return EXIT_FAILURE;
     City city = cityFrom(argv[1]);
-    city.trees.reset();
     const std::string what = argc > 2 ? argv[2] : "columns";
+    if (what == "drag") return benchDrag(city);
+    city.trees.reset();
     const int rounds = argc > 3 ? std::stoi(argv[3]) : 3;
     const std::size_t sample = argc > 4 ? std::stoul(argv[4]) : 500;
     if (what == "district") return benchDistrict(city, sample);

@@ -97,7 +97,8 @@ std::string describeLeaves(const Tree& tree, const LeafDays& ofCity) {
     if (tree.evergreen) return "evergreen";
     if (!tree.leafOnDay && !tree.leafOffDay) return "loses its leaves";
     const LeafDays days = leafDaysOf(tree, ofCity);
-    return fmt::format("in leaf from {} to {}", formatDayOfYear(days.on), formatDayOfYear(days.off));
+    return fmt::format("in leaf from {} up to and without {}", formatDayOfYear(days.on),
+                       formatDayOfYear(days.off));
 }
 
 nlohmann::json dayJson(const std::optional<int>& day) {

@@ -12,6 +12,7 @@
 #include "core/base/safe_text.h"
 #include "core/describe/choice.h"
 #include "core/sun/civil_time.h"
+#include "core/sun/day_of_year.h"
 
 namespace noonmark {
 
@@ -47,7 +48,7 @@ std::chrono::sys_days newYear() { return commonYear / std::chrono::January / 1; 
 Result<int> parseDayOfYear(std::string_view text) {
     const auto date = parseDate(fmt::format("{}-{}", int(commonYear), text));
     if (!date) return failure("This is no day of the year", std::string(text), "Give MM-DD: 04-15");
-    return int((std::chrono::sys_days(*date) - newYear()).count()) + 1;
+    return dayOfCommonYear(*date);
 }
 
 std::string formatDayOfYear(const int& dayOfYear) {

@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "core/engines/ray/surface_rays.h"
+#include "core/engines/trees/crowns.h"
 #include "core/engines/trees/crowns_around.h"
 
 namespace noonmark {
@@ -166,17 +169,24 @@ constexpr double columnWidth = 2 * std::numbers::pi / skyAzimuths,
                  altitudeStep = std::numbers::pi / 2 / skyAltitudes;
 constexpr double lowestCrownTan = 0.004;  // of crowns that are looked at: half of the lowest direction
 
+/// Optical depths of the crowns of one season: with leaves and without.
 struct SkyDepth {
-    double inLeaf = 0, bare = 0;  // optical depths, as CrownsOverPoint::Depth
+    double inLeaf = 0, bare = 0;
 };
 
-/// The directions of one azimuth.
-struct SkyColumn {
-    double sine, cosine;  // of the azimuth
-    std::array<SkyDepth, skyAltitudes> depths{};
-    int first = skyAltitudes, end = 0;  // those that crowns are in
+/// The directions of one azimuth. Reuses its memory.
+class SkyColumn {
+public:
+    void begin(double azimuth) {
+        sine = std::sin(azimuth);
+        cosine = std::cos(azimuth);
+        for (const std::uint32_t season : seasons_) depths_[season].fill({});
+        seasons_.clear();
+        first = skyAltitudes;
+        end = 0;
+    }
 
-    void add(const Crown& crown, double barePerM, glm::dvec3 origin) {
+    void add(const Crown& crown, glm::dvec3 origin) {
         const double distance = std::hypot(crown.x - origin.x, crown.y - origin.y);
         const double near = std::max(0.0, distance - crown.radiusM), far = distance + crown.radiusM;
         const auto altitudeOf = [&](double upM, double awayM) {
@@ -185,18 +195,44 @@ struct SkyColumn {
         const double top = crown.topM - origin.z, bottom = crown.bottomM - origin.z;
         const int from = std::clamp(altitudeOf(bottom, bottom > 0 ? far : near), 0, skyAltitudes - 1);
         const int to = std::clamp(altitudeOf(top, near), 0, skyAltitudes - 1);
-        for (int i = from; i <= to; ++i) addChord(crown, barePerM, origin, i);
+        auto& depths = depthsOf(crown.season);
+        for (int i = from; i <= to; ++i) addChord(crown, origin, i, depths[std::size_t(i)]);
         first = std::min(first, from);
         end = std::max(end, to + 1);
     }
 
+    /// Share of a direction's light that crowns take in the mean of the phases.
+    [[nodiscard]] double takenShare(int i, std::span<const LeafTime> phases) const {
+        double taken = 0;
+        for (const LeafTime& phase : phases) {
+            double sum = 0;
+            for (const std::uint32_t season : seasons_) {
+                const SkyDepth& depth = depths_[season][std::size_t(i)];
+                sum += phase.inLeaf[season] != 0 ? depth.inLeaf : depth.bare;
+            }
+            taken -= phase.share * std::expm1(-sum);
+        }
+        return taken;
+    }
+
+    double sine = 0, cosine = 1;        ///< of the azimuth
+    int first = skyAltitudes, end = 0;  ///< directions that crowns are in
+
 private:
-    void addChord(const Crown& crown, double barePerM, glm::dvec3 origin, int i) {
+    std::array<SkyDepth, skyAltitudes>& depthsOf(std::uint32_t season) {
+        if (std::ranges::find(seasons_, season) == seasons_.end()) seasons_.push_back(season);
+        if (season >= depths_.size()) depths_.resize(season + 1);
+        return depths_[season];
+    }
+    void addChord(const Crown& crown, glm::dvec3 origin, int i, SkyDepth& depth) const {
         const double altitude = (i + 0.5) * altitudeStep, level = std::cos(altitude);
         const double chord = computeChord(crown, origin, {level * sine, level * cosine, std::sin(altitude)});
-        depths[std::size_t(i)].inLeaf += chord * crown.leafOnPerM;
-        depths[std::size_t(i)].bare += chord * barePerM;
+        depth.inLeaf += chord * crown.leafOnPerM;
+        depth.bare += chord * crown.leafOffPerM;
     }
+
+    std::vector<std::uint32_t> seasons_;                      // of the crowns at this azimuth
+    std::vector<std::array<SkyDepth, skyAltitudes>> depths_;  // by season
 };
 
 // The share of a direction's altitudes that nothing hides.
@@ -231,50 +267,36 @@ SkyCrowns::SkyCrowns(const City& city) {
         crowns_.push_back(makeCrown(tree));
         crowns_.back().season = seasons.add(tree);
     }
-    std::vector<int> days(365);
-    std::iota(days.begin(), days.end(), 1);
-    phases_ = findLeafPhases(seasons, days);
-    shares_.assign(phases_.count(), 0);
-    for (std::size_t i = 0; i < days.size(); ++i) shares_[phases_.at(i)] += 1;
-    for (double& share : shares_) share /= double(days.size());
-    const auto inLeaf =
-        std::ranges::count_if(days, [&](int day) { return city.trees->leafDays.inLeafOn(day); });
-    shareInLeaf_ = phases_.empty() ? double(inLeaf) / double(days.size()) : 0;
+    constexpr int days = 365;
+    std::map<std::vector<std::uint8_t>, int> known;
+    for (int day = 1; day <= days; ++day) {
+        std::vector<std::uint8_t> inLeaf;
+        for (const LeafDays& season : seasons.days()) inLeaf.push_back(season.inLeafOn(day) ? 1 : 0);
+        ++known[std::move(inLeaf)];
+    }
+    for (const auto& [inLeaf, count] : known) year_.push_back({inLeaf, double(count) / days});
+    alwaysInLeaf_.push_back({std::vector<std::uint8_t>(seasons.days().size(), 1), 1});
 }
 
 SkyFactors SkyCrowns::taken(const SkyPoint& point, const Skyline& skyline, TreeColumns column) const {
-    if (column == TreeColumns::evergreen) return takenIn(point, skyline, 0, 1);
-    SkyFactors sum;
-    for (std::size_t phase = 0; phase < shares_.size(); ++phase) {
-        const SkyFactors one = takenIn(point, skyline, phase, shareInLeaf_);
-        sum.skyView += shares_[phase] * one.skyView;
-        sum.skyComponentPct += shares_[phase] * one.skyComponentPct;
-    }
-    return sum;
-}
-
-SkyFactors SkyCrowns::takenIn(const SkyPoint& point, const Skyline& skyline, std::size_t phase,
-                              double shareInLeaf) const {
     const glm::dvec3 origin(placeSurfaceRayOrigin(point.position, point.normal));
     std::vector<std::uint32_t> all(crowns_.size());
     std::iota(all.begin(), all.end(), 0U);
     CrownsAround around;
     if (!around.gather(crowns_, all, origin, lowestCrownTan)) return {};
-    const auto taken = [&](const SkyDepth& depth) {
-        return -shareInLeaf * std::expm1(-depth.inLeaf) - (1 - shareInLeaf) * std::expm1(-depth.bare);
-    };
+    const std::vector<LeafTime>& phases = column == TreeColumns::evergreen ? alwaysInLeaf_ : year_;
+    SkyColumn directions;
     SkyIntegral sum;
     for (int i = 0; i < skyAzimuths; ++i) {
         const double azimuth = (i + 0.5) * columnWidth;
-        SkyColumn column{std::sin(azimuth), std::cos(azimuth)};
-        const auto crowns = around.at(CrownsAround::slotOf({column.sine, column.cosine, 0}));
+        directions.begin(azimuth);
+        const auto crowns = around.at(CrownsAround::slotOf({directions.sine, directions.cosine, 0}));
         if (crowns.empty()) continue;
-        for (const std::uint32_t crown : crowns)
-            column.add(crowns_[crown], phases_.perM(phase, crowns_[crown]), origin);
+        for (const std::uint32_t crown : crowns) directions.add(crowns_[crown], origin);
         const auto hidden = skyline.hiddenAt(azimuth);
-        for (int k = column.first; k < column.end; ++k)
-            sum.add(computeLight(column, glm::dvec3(point.normal), k),
-                    visibleShare(hidden, k) * taken(column.depths[std::size_t(k)]));
+        for (int k = directions.first; k < directions.end; ++k)
+            sum.add(computeLight(directions, glm::dvec3(point.normal), k),
+                    visibleShare(hidden, k) * directions.takenShare(k, phases));
     }
     const double openOvercast = 7 * std::numbers::pi / 9;  // of a level surface
     return {sum.even / std::numbers::pi, 100 * sum.overcast / openOvercast};

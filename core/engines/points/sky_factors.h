@@ -1,11 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/city/city.h"
+#include "core/city/trees/tree.h"
 #include "core/engines/api/tree_shade.h"
 #include "core/engines/points/skyline.h"
-#include "core/engines/trees/crowns.h"
 
 namespace noonmark {
 
@@ -25,6 +26,12 @@ struct SkyFactors {
 /// edge between two breaks, the rule is less exact.
 SkyFactors computeSkyFactors(const Skyline& skyline);
 
+/// The days of a year on which the same crowns are in leaf.
+struct LeafTime {
+    std::vector<std::uint8_t> inLeaf;  ///< by Crown::season
+    double share = 0;                  ///< of the year's days
+};
+
 /// What the crowns of a city's trees take of the sky's light. Trees that lose their leaves take the mean of
 /// the days of a year with leaves and without.
 class SkyCrowns {
@@ -34,8 +41,8 @@ public:
 
     /// Of the sky component of a point (SkyFactors::skyComponentPct), percent of the sky: what crowns take
     /// in the part that nothing solid hides. By half degrees of azimuth and altitude: crowns of 10 deg to
-    /// 0.02 % of the sky. Some ns for each crown of the city, and 20 ns for each crown and direction through
-    /// it.
+    /// 0.02 % of the sky. Some ns for each crown of the city, 20 ns for each crown and direction through
+    /// it, and, where trees have leaf days of their own, some ns for each such direction and LeafTime.
     [[nodiscard]] double takenPct(const SkyPoint& point, const Skyline& skyline) const {
         return taken(point, skyline, TreeColumns::seasonal).skyComponentPct;
     }
@@ -43,14 +50,8 @@ public:
     [[nodiscard]] SkyFactors taken(const SkyPoint& point, const Skyline& skyline, TreeColumns column) const;
 
 private:
-    /// Of the days of one phase; of those in leaf as much as `shareInLeaf`.
-    [[nodiscard]] SkyFactors takenIn(const SkyPoint& point, const Skyline& skyline, std::size_t phase,
-                                     double shareInLeaf) const;
-
     std::vector<Crown> crowns_;
-    LeafPhases phases_;           // of the days of a year
-    std::vector<double> shares_;  // of each phase
-    double shareInLeaf_ = 1;      // of the days; 0 where there are phases
+    std::vector<LeafTime> year_, alwaysInLeaf_;
 };
 
 }  // namespace noonmark

@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -13,15 +12,11 @@
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/trees/crowns_around.h"
 #include "core/simd/flush_denormals.h"
+#include "core/sun/day_of_year.h"
 
 namespace noonmark {
 
 namespace {
-
-int dayOfYear(CivilDate date) {
-    using namespace std::chrono;
-    return int((sys_days(date) - sys_days(date.year() / January / 1)).count()) + 1;
-}
 
 ShadowField copyOfColumn(const ShadowField& without) {
     ShadowField column = without;
@@ -33,7 +28,7 @@ ShadowField copyOfColumn(const ShadowField& without) {
 
 }  // namespace
 
-bool isInLeaf(const LeafDays& leafDays, CivilDate date) { return leafDays.inLeafOn(dayOfYear(date)); }
+bool isInLeaf(const LeafDays& leafDays, CivilDate date) { return leafDays.inLeafOn(dayOfCommonYear(date)); }
 
 namespace {
 
@@ -63,7 +58,7 @@ LeafPhases findLeafPhases(const LeafSeasons& seasons, std::span<const int> days)
 LeafPhases findLeafPhases(const LeafSeasons& seasons, const SunSteps& sun) {
     if (seasons.areOne()) return {};
     std::vector<int> days;
-    for (const SunDay& day : sun.days) days.push_back(dayOfYear(day.date));
+    for (const SunDay& day : sun.days) days.push_back(dayOfCommonYear(day.date));
     LeafPhases phases = findLeafPhases(seasons, days);
     std::vector<std::uint16_t> ofStep(sun.steps.size());
     for (std::size_t i = 0; i < sun.days.size(); ++i)
@@ -71,6 +66,17 @@ LeafPhases findLeafPhases(const LeafSeasons& seasons, const SunSteps& sun) {
     phases.ofStep = std::move(ofStep);
     return phases;
 }
+
+namespace {
+
+// A period with one phase needs none: what is bare in it is bare at every step.
+void joinSinglePhase(CrownScene& scene) {
+    if (scene.phases.empty() || scene.phases.count() > 1) return;
+    for (Crown& crown : scene.crowns) crown.leafOffPerM = scene.phases.perM(0, crown);
+    scene.phases = {};
+}
+
+}  // namespace
 
 CrownScene makeCrownScene(const City& city, std::vector<std::uint32_t> trees, const SunSteps& sun) {
     CrownScene scene{.trees = std::move(trees)};
@@ -81,6 +87,7 @@ CrownScene makeCrownScene(const City& city, std::vector<std::uint32_t> trees, co
     scene.inLeaf.assign(sun.steps.size(), 0);
     if (!seasons.areOne()) {
         scene.phases = findLeafPhases(seasons, sun);
+        joinSinglePhase(scene);
         return scene;
     }
     for (const SunDay& day : sun.days)
@@ -142,7 +149,7 @@ void CrownMasks::addTo(StepMasks& masks, CivilDate day, std::span<const SunStep>
     if (empty() || steps.empty() || origins.empty()) return;
     const SunPatches patches(steps);
     const bool inLeaf = isInLeaf(seasons_.days().front(), day);
-    const int ofYear[]{dayOfYear(day)};
+    const int ofYear[]{dayOfCommonYear(day)};
     LeafPhases phase = findLeafPhases(seasons_, ofYear);
     if (!phase.empty()) phase.ofStep.assign(steps.size(), 0);
     // Each word of a step belongs to one task.

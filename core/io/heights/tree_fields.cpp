@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <numbers>
 
 #include "core/describe/text.h"
 #include "core/io/heights/height_text.h"
+#include "core/sun/day_of_year.h"
 
 namespace noonmark {
 
@@ -193,16 +195,10 @@ public:
         return std::nullopt;
     }
 
-    // "04-15", "2026-04-15", or the number of a day.
     std::optional<int> day(TreeRole role) {
         const std::string_view written = text(role);
         if (written.empty() || written == "0") return std::nullopt;
-        constexpr std::size_t yearLetters = 5;  // "2026-"
-        const bool hasYear = written.size() >= 10 && written[4] == '-';
-        if (const auto found = parseDayOfYear(hasYear ? written.substr(yearLetters, 5) : written))
-            return *found;
-        const auto number = parseLevels(written);
-        if (number && *number >= 1 && *number <= 366) return int(*number);
+        if (const auto day = readDay(written)) return day;
         warnings_.push_back({WarningKind::leftOut, "a leaf day of a tree that is no day of the year",
                              where_ + ": " + findRole(fields_, role)->field + " " + std::string(written)});
         return std::nullopt;
@@ -223,6 +219,18 @@ private:
         warnings_.push_back({WarningKind::assumed, "a measure of a tree is 0 and counts as not stated",
                              where_ + ": " + field.field});
         return std::nullopt;
+    }
+
+    // "04-15", "2026-04-15", "2026/04/15 00:00:00" (columns of dates), or the number of a day.
+    static std::optional<int> readDay(std::string_view written) {
+        constexpr std::size_t dateLetters = 10;
+        std::string dashed(written);
+        std::ranges::replace(dashed, '/', '-');
+        if (const auto date = parseDate(dashed.substr(0, dateLetters))) return dayOfCommonYear(*date);
+        if (const auto day = parseDayOfYear(dashed)) return *day;
+        const auto number = parseLevels(written);
+        const bool isDay = number && *number >= 1 && *number <= 366 && *number == std::floor(*number);
+        return isDay ? std::optional(int(*number)) : std::nullopt;
     }
 
     static std::optional<double> read(const TreeFieldName& meaning, std::string_view written) {

@@ -63,7 +63,7 @@ std::vector<TreeColumns> listColumnsOf(const std::vector<TreeContribution>& tree
     return columns;
 }
 
-/// What stands in a city, by its id in the data.
+/// The buildings and trees of a city by their ids in the data.
 struct ById {
     std::map<std::string, const Building*> buildings;
     std::map<std::string, const Tree*> trees;

@@ -7,6 +7,7 @@
 
 #include "core/base/csv_text.h"
 #include "core/base/memory_guard.h"
+#include "core/base/progress.h"
 #include "core/describe/figure_text.h"
 #include "core/engines/shade_trees.h"
 #include "core/measures/places/place_receivers.h"
@@ -76,11 +77,34 @@ Result<std::unique_ptr<Engine>> makeAttributing(StudySettings settings, const En
     return engine;
 }
 
-// Columns that the whole study has; none where no tree reaches it.
+// Those that the whole study has; none where no tree reaches it.
+std::vector<TreeColumns> columnsOf(const Study& study) {
+    std::vector<TreeColumns> columns;
+    for (const ShadeColumn& shade : listShadeColumns(study.field)) columns.push_back(shade.column);
+    return columns;
+}
+
+std::vector<TreeColumns> columnsOf(const SunByPlace& sun) {
+    std::vector<TreeColumns> columns;
+    for (const SunWithTrees& with : sun.withTrees) columns.push_back(with.column);
+    return columns;
+}
+
+bool areTreesAttributed(const City& city, std::span<const TreeColumns> columns) {
+    return city.trees && !columns.empty();
+}
+
+/// Of the progress of an attribution.
+struct Parts {
+    Parts(Progress& whole, const City& city, std::span<const TreeColumns> columns)
+        : buildings(whole, 0, areTreesAttributed(city, columns) ? 2 : 1), trees(whole, 1, 2) {}
+    ProgressShare buildings, trees;
+};
+
 Result<void> attributeToTrees(PlaceContributions& made, const City& city, const Receivers& receivers,
                               const SunSteps& sun, std::span<const TreeColumns> columns, Progress& progress,
                               const std::stop_token& stop) {
-    if (!city.trees || columns.empty()) return {};
+    if (!areTreesAttributed(city, columns)) return {};
     const City weighed = withTreesFor(city, TreeColumns::all);
     const auto taken = traceTakenByTree(weighed, receivers, sun, progress, stop);
     if (!taken) return tl::make_unexpected(taken.error());
@@ -97,8 +121,10 @@ Result<PlaceContributions> attribute(const Study& study, const Place& place, Pro
         return failure("No cell of the study lies on open ground of this place", place.name,
                        "Choose a place in the study's region, or run the study with smaller cells");
     const Receivers receivers = cropTo(cells, study.receivers);
-    auto breakdown =
-        (*engine)->breakDown(study.city, receivers, study.sun, monthsOf(study.sun), true, progress, stop);
+    const std::vector<TreeColumns> columns = columnsOf(study);
+    Parts parts(progress, study.city, columns);
+    auto breakdown = (*engine)->breakDown(study.city, receivers, study.sun, monthsOf(study.sun), true,
+                                          parts.buildings, stop);
     if (!breakdown) return tl::make_unexpected(breakdown.error());
     PlaceContributions made{place,
                             *std::move(breakdown),
@@ -109,9 +135,8 @@ Result<PlaceContributions> attribute(const Study& study, const Place& place, Pro
                             study.settings.period,
                             study.field.sunlitMinutesPerDay};
     made.rows = listContributions(study.city, made.breakdown, made.days);
-    std::vector<TreeColumns> columns;
-    for (const ShadeColumn& shade : listShadeColumns(study.field)) columns.push_back(shade.column);
-    if (auto done = attributeToTrees(made, study.city, receivers, study.sun, columns, progress, stop); !done)
+    if (auto done = attributeToTrees(made, study.city, receivers, study.sun, columns, parts.trees, stop);
+        !done)
         return tl::make_unexpected(done.error());
     return made;
 }
@@ -154,8 +179,10 @@ Result<PlaceContributions> attribute(const SunOfCities& all, std::size_t place,
     const auto when = daylightOf(sun, date, stop);
     if (!when) return tl::make_unexpected(when.error());
     const std::size_t days = when->dayCount();
+    const std::vector<TreeColumns> columns = columnsOf(sun);
+    Parts parts(progress, sun.city, columns);
     auto breakdown =
-        (*engine)->breakDown(sun.city, on->receivers, *when, monthsOf(*when), true, progress, stop);
+        (*engine)->breakDown(sun.city, on->receivers, *when, monthsOf(*when), true, parts.buildings, stop);
     if (!breakdown) return tl::make_unexpected(breakdown.error());
     const double hours = date ? of.dateHours[*date] : of.meanHours;
     const double sunlitMinutes = when->sunlitMinutes() / double(days);
@@ -169,9 +196,7 @@ Result<PlaceContributions> attribute(const SunOfCities& all, std::size_t place,
                             periodOf(sun.settings, dateOf(sun, date)),
                             sunlitMinutes};
     made.rows = listContributions(sun.city, made.breakdown, days);
-    std::vector<TreeColumns> columns;
-    for (const SunWithTrees& with : sun.withTrees) columns.push_back(with.column);
-    if (auto done = attributeToTrees(made, sun.city, on->receivers, *when, columns, progress, stop); !done)
+    if (auto done = attributeToTrees(made, sun.city, on->receivers, *when, columns, parts.trees, stop); !done)
         return tl::make_unexpected(done.error());
     return made;
 }

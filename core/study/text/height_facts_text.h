@@ -40,7 +40,7 @@ std::optional<std::string> makeStandHeadline(const HeightFacts& facts);
 /// either are; else nothing. Null: no trees.
 std::optional<Sentence> describeEstimatedTrees(const std::shared_ptr<const Trees>& trees);
 
-/// What stands above the figures of a city's study: what its geometry owes to assumptions.
+/// A line above the figures of a city's study: what its geometry owes to assumptions.
 struct GeometryHeadline {
     std::string of;  ///< "heights", "unit of heights", "bases", "heights of trees"
     std::string text;

@@ -53,6 +53,7 @@ TEST(LeafDays, AreWrittenAsMonthAndDay) {
     EXPECT_EQ(parseDayOfYear("04-15").value(), 105);
     EXPECT_EQ(formatDayOfYear(105), "04-15");
     EXPECT_EQ(parseDayOfYear("12-31").value(), 365);
+    EXPECT_EQ(parseDayOfYear("03-01").value(), 60);
     EXPECT_FALSE(parseDayOfYear("02-29"));
     EXPECT_FALSE(parseDayOfYear("4"));
 }

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "core/base/progress.h"
 #include "core/city/trees/tree.h"
 #include "core/receivers/place_names.h"
 #include "core/samples/sample_city.h"
@@ -432,6 +434,29 @@ TEST(PlaceContributions, TheLayerHasTheCrownsBesideTheBuildings) {
     City felled = study.city;
     felled.trees.reset();
     EXPECT_EQ(makeContributionLayer({of}, felled).outlines.size(), of.rows.size()) << "it has no outline";
+}
+
+// Once to its end: threads report a little out of order, but no part begins anew.
+TEST(PlaceContributions, ProgressOfBuildingsAndTreesIsOne) {
+    class Heard final : public Progress {
+    public:
+        void report(double fraction, std::string_view) override {
+            const std::lock_guard lock(mutex_);
+            furthest = std::max(furthest, fraction);
+            setback = std::max(setback, furthest - fraction);
+        }
+        double furthest = 0, setback = 0;
+
+    private:
+        std::mutex mutex_;
+    };
+    const Study study = studied(grove({{26, 57}}), atNoon("horizon"));
+    Heard heard;
+    const auto made = computePlaceContributions(study, square("Yard", 0, 52, 20, 92), heard, {});
+    ASSERT_TRUE(made) << made.error().text();
+    ASSERT_FALSE(made->trees.empty());
+    EXPECT_NEAR(heard.furthest, 1, 1e-9);
+    EXPECT_LT(heard.setback, 0.5);
 }
 
 // North of both towers stand two trees, in one place; a third shades another place.

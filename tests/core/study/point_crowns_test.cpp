@@ -166,6 +166,29 @@ TEST(PointCrowns, TheSkyBelowASlabOfLeavesIsThatOfTheClosedForm) {
     EXPECT_GT(bare - inLeaf, 0.1) << "the seasons differ";
 }
 
+// Two crowns behind each other, the nearer one on days of its own: days 100 to 149 the nearer alone, 150 to
+// 199 both, 200 to 319 the other alone.
+TEST(PointCrowns, TheSkyWithLeafDaysOfSingleTreesIsTheMeanOfTheDays) {
+    const auto sky = [](LeafDays nearer, LeafDays other) {
+        Tree first = cylinderAt({0, -8}, 0.2F, 0.9F), second = cylinderAt({1, -13}, 0.3F, 0.8F);
+        first.leafOnDay = nearer.on;
+        first.leafOffDay = nearer.off;
+        second.leafOnDay = other.on;
+        second.leafOffDay = other.off;
+        return lookAround(cityWith({first, second}), june).baseline.crowns->skySeasonal;
+    };
+    constexpr LeafDays always{1, 1}, never{366, 367};
+    const SkyFactors both = sky(always, always), nearer = sky(always, never), other = sky(never, always),
+                     bare = sky(never, never), found = sky({100, 200}, {150, 320});
+    const auto mean = [&](double SkyFactors::*factor) {
+        return (50 * (both.*factor) + 50 * (nearer.*factor) + 120 * (other.*factor) + 145 * (bare.*factor)) /
+               365;
+    };
+    EXPECT_NEAR(found.skyView, mean(&SkyFactors::skyView), 1e-12);
+    EXPECT_NEAR(found.skyComponentPct, mean(&SkyFactors::skyComponentPct), 1e-10);
+    EXPECT_GT(bare.skyView - both.skyView, 0.01) << "the seasons differ";
+}
+
 // The share of a wall's light that a ball of leaves leaves, by rays in small steps: `overcast` as the CIE's.
 double lightBesideABall(glm::dvec3 middle, double radiusM, double perM, glm::dvec3 eye, bool overcast) {
     constexpr int azimuths = 1440, altitudes = 720;

@@ -101,6 +101,23 @@ TEST_F(TreeWindow, AClickPlantsATreeWithTheMeasuresOfThePanel) {
     ASSERT_TRUE(waitFor([&] { return trees().empty(); }));
 }
 
+// What is no day of the year stays to be mended, and no tree is planted without it.
+TEST_F(TreeWindow, ALeafDayThatIsNoneIsRefusedAndStays) {
+    auto& day = field<QLineEdit>("leafOn");
+    QTest::keyClicks(&day, QStringLiteral("5-10"));
+    Q_EMIT day.editingFinished();
+    field<QPushButton>("plantTree").click();
+    click({-40, -40});
+    EXPECT_EQ(day.text(), QStringLiteral("5-10"));
+    EXPECT_TRUE(window->panel().messages().text().contains(QStringLiteral("day of the year")))
+        << window->panel().messages().text().toStdString();
+    EXPECT_TRUE(trees().empty());
+    day.setText(QStringLiteral("05-10"));
+    click({-40, -40});
+    ASSERT_TRUE(waitFor([&] { return trees().size() == 1; }));
+    EXPECT_EQ(trees()[0].leafOnDay, parseDayOfYear("05-10").value());
+}
+
 TEST_F(TreeWindow, ARowStandsAlongALine) {
     field<QPushButton>("plantRow").click();
     field<QDoubleSpinBox>("treeSpacing").setValue(10);

@@ -268,9 +268,18 @@ void FieldRows::take(const Editable& settings, std::string_view flag) const {
     if (const auto value = valueOf(*found->first, *found->second)) (void)settings.set(*found->first, *value);
 }
 
-void FieldRows::take(const Editable& settings) const {
-    for (const auto& [field, widget] : widgets_)
-        if (const auto value = valueOf(*field, *widget)) (void)settings.set(*field, *value);
+void FieldRows::take(const Editable& settings) const { (void)tryTake(settings); }
+
+// All fields that can be taken are.
+Result<void> FieldRows::tryTake(const Editable& settings) const {
+    Result<void> taken;
+    for (const auto& [field, widget] : widgets_) {
+        const Result<void> set = valueOf(*field, *widget).and_then([&, field = field](const Value& value) {
+            return settings.set(*field, value);
+        });
+        if (!set && taken) taken = set;
+    }
+    return taken;
 }
 
 namespace {

@@ -34,6 +34,8 @@ public:
 
     void show(const Described& settings);       ///< without a signal
     void take(const Editable& settings) const;  ///< what the widgets hold, into their fields
+    /// The same. Error: of the first field, in the table's order, that does not take what its widget holds.
+    Result<void> tryTake(const Editable& settings) const;
     /// The same of one field only: widgets round what they show.
     void take(const Editable& settings, std::string_view flag) const;
 

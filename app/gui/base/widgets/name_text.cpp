@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QObject>
 
+#include "core/study/contributions/contributions.h"
 #include "scenarios/scenario.h"
 
 namespace noonmark {
@@ -77,6 +78,10 @@ QString scenarioName(const std::string& name) {
 
 QString ruleName(std::string_view name) {
     return QCoreApplication::translate("Rule", std::string(name).c_str());
+}
+
+QString nameOfTree(const Contribution& tree) {
+    return QObject::tr("Tree %1", "its species or number").arg(QString::fromStdString(nameOf(tree)));
 }
 
 QString makeLink(const QString& target, const QString& text) {

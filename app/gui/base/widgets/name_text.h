@@ -14,6 +14,10 @@ QString scenarioName(const std::string& name);
 /// A rule's name, its place or its country.
 QString ruleName(std::string_view name);
 
+struct Contribution;
+/// A tree in lists: "Tree Tilia cordata (node/123)".
+QString nameOfTree(const Contribution& tree);
+
 /// Rich text that emits QLabel::linkActivated(target).
 QString makeLink(const QString& target, const QString& text);
 

@@ -292,11 +292,6 @@ ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& 
     return sheet;
 }
 
-QString nameOfTree(const Contribution& tree) {
-    return QObject::tr("Tree %1", "its species or number")
-        .arg(QString::fromStdString(noonmark::nameOf(tree)));
-}
-
 std::size_t classOf(double share) {
     std::size_t i = 0;
     while (i + 1 < contributionClasses.size() && share >= contributionClasses[i + 1].from) ++i;

@@ -50,9 +50,6 @@ struct ContributionView {
     TreeColumns trees = TreeColumns::seasonal;  ///< where they were measured (chooseRankedColumn())
 };
 
-/// The name of a tree in lists: "Tree Tilia cordata (node/123)".
-QString nameOfTree(const Contribution& tree);
-
 /// The sheet of a study: the buildings of `rows` and the trees, over the cells of `breakdown`.
 ContributionSheet makeContributionSheet(const Study& study, const ShadowBreakdown& breakdown,
                                         const std::vector<Contribution>& rows, const ContributionView& view,

@@ -6,6 +6,7 @@
 
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/answers/result_rows.h"
@@ -98,11 +99,10 @@ ResultRow placeFigureRow(const Figure& figure, const SunOfPlace& of, const SunOr
 }
 
 ResultRow contributorRow(const Contribution& one) {
-    const QString shown = QString::fromStdString(nameOf(one));
     const bool isTerrain = one.id == terrainId;
     return {.name = isTerrain    ? QObject::tr("Terrain")
-                    : one.isTree ? QObject::tr("Tree %1", "its species or number").arg(shown)
-                                 : shown,
+                    : one.isTree ? nameOfTree(one)
+                                 : QString::fromStdString(nameOf(one)),
             .value = QObject::tr("takes %1 min of sun a day, %2 % of its shadow")
                          .arg(formatAmount(one.attributedMin), formatAmount(100 * one.share)),
             .meaning = translatedSentence(attributedDefinition()),

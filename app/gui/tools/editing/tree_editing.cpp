@@ -4,9 +4,7 @@
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
-#include <QRegularExpressionValidator>
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -87,25 +85,14 @@ QStringList textsOf(const LivePlaceShade& shade, bool isSun, double sunlitMin) {
 
 // The region, and the places whose change is more than rounding.
 std::vector<LivePlaceShade> listChanged(const std::vector<LivePlaceShade>& figures) {
-    constexpr double leastMin = 0.005;
+    constexpr double roundingMin = 0.005;
     std::vector<LivePlaceShade> changed;
     for (const LivePlaceShade& one : figures)
         if (changed.size() < maxFigures &&
-            (one.name.empty() || std::abs(one.nowMin - one.beforeMin) >= leastMin))
+            (one.name.empty() || std::abs(one.nowMin - one.beforeMin) >= roundingMin))
             changed.push_back(one);
     return changed;
 }
-
-/// "04-15". What is no day is cleared when the field is left.
-class DayOfYear final : public QRegularExpressionValidator {
-public:
-    explicit DayOfYear(QObject* parent)
-        : QRegularExpressionValidator(
-              QRegularExpression(QStringLiteral("((0[13578]|1[02])-(0[1-9]|[12]\\d|3[01])|(0[469]|11)-(0[1-9]"
-                                                "|[12]\\d|30)|02-(0[1-9]|1\\d|2[0-8]))?")),
-              parent) {}
-    void fixup(QString& input) const override { input.clear(); }
-};
 
 }  // namespace
 
@@ -137,7 +124,7 @@ TreePanel::TreePanel(QWidget* parent)
     years_->setValue(defaultYears);
     years_->setToolTip(tr("Years of growth, of which crown and height are estimated"));
     placeFields();
-    // Pressed again, a tool that the menu has chosen goes on, too: Esc ends it.
+    // Pressing the button of the tool in use does not end it; Esc does.
     const auto choose = [this](Planting planting) {
         return [this, planting] {
             showPlanting(planting);
@@ -157,9 +144,6 @@ void TreePanel::placeFields() {
     auto* form = new QFormLayout;
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     fields_->addRows(*form);
-    for (const char* flag : {"--leaf-on", "--leaf-off"})
-        if (auto* day = qobject_cast<QLineEdit*>(fields_->widget(flag)))
-            day->setValidator(new DayOfYear(day));
     form->addRow(tr("Spacing"), spacing_);
     auto* column = new QVBoxLayout(this);
     column->addWidget(chosen_);
@@ -212,9 +196,10 @@ void TreePanel::showFigures(const std::vector<LivePlaceShade>& all, ShownAs show
     figures_->setVisible(!figures.empty());
 }
 
-TreeFacts TreePanel::facts() const {
+Result<TreeFacts> TreePanel::facts() const {
     TreeFacts facts;
-    fields_->take(treeFactFields().of(facts));
+    if (auto taken = fields_->tryTake(treeFactFields().of(facts)); !taken)
+        return tl::make_unexpected(taken.error());
     return facts;
 }
 
@@ -313,7 +298,7 @@ void TreeEditing::finishRow() {
 }
 
 void TreeEditing::plantAt(const std::vector<glm::dvec2>& places) {
-    const auto tree = designTree(panel_.facts());
+    const auto tree = panel_.facts().and_then(designTree);
     if (!tree) return Q_EMIT failed(tree.error());
     Q_EMIT editsMade(makePlantings(context_.city->city(), *tree, places),
                      tr("plant %1 tree(s)", "", int(places.size())).arg(formatCount(places.size())));
@@ -483,7 +468,7 @@ void TreeEditing::fell() {
 }
 
 void TreeEditing::replace() {
-    const auto tree = designTree(panel_.facts());
+    const auto tree = panel_.facts().and_then(designTree);
     if (!tree) return Q_EMIT failed(tree.error());
     std::vector<Edit> edits;
     for (const std::string& id : ids_) edits.emplace_back(ReplaceTree{id, *tree});
@@ -515,7 +500,7 @@ std::vector<Tree> TreeEditing::chosenTrees() const {
 std::vector<Tree> TreeEditing::plannedTrees() const {
     std::vector<glm::dvec2> line = corners_;
     if (cursor_) line.push_back(*cursor_);
-    const auto tree = designTree(panel_.facts());
+    const auto tree = panel_.facts().and_then(designTree);
     if (!tree || line.empty()) return {};
     const auto row = placeTreesAlong(line, panel_.spacingM());
     std::vector<Tree> planned;

@@ -31,7 +31,7 @@ public:
     /// The shadow, or the sun, of the region and of places while trees are dragged or planted; none: hidden.
     /// `sunlitMin`: a day without shadow.
     void showFigures(const std::vector<LivePlaceShade>& all, ShownAs show, double sunlitMin);
-    [[nodiscard]] TreeFacts facts() const;
+    [[nodiscard]] Result<TreeFacts> facts() const;
     [[nodiscard]] double spacingM() const;  ///< of a row
     [[nodiscard]] double years() const;     ///< of growth
 

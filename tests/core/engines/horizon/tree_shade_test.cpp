@@ -471,6 +471,16 @@ TEST(TreeShade, OfPointsIsThatOfCellsInTheirPlaces) {
     }
 }
 
+TEST(LeafDays, AreThoseOfACommonYearInLeapYears) {
+    using namespace std::chrono;
+    for (const int of : {2026, 2028}) {
+        EXPECT_FALSE(isInLeaf({60, 304}, year(of) / February / 28)) << of;
+        EXPECT_TRUE(isInLeaf({60, 304}, year(of) / March / 1)) << of;
+        EXPECT_TRUE(isInLeaf({60, 304}, year(of) / October / 30)) << of;
+        EXPECT_FALSE(isInLeaf({60, 304}, year(of) / October / 31)) << of;
+    }
+}
+
 // The trees of a town, a third of which state their own leaf days; January, April 20, July 1 are known.
 City townWithOwnLeafDays() {
     City city = townWithTrees(40, 3);
@@ -563,6 +573,27 @@ TEST(TreeShade, OfTheSweepHonoursLeafDaysOfSingleTrees) {
         exact += sumOfSets(rays.seasonal, i) / 3;
     }
     EXPECT_NEAR(taken, exact, 0.01 * exact);
+}
+
+// On each of the days some trees are in leaf by days of their own, and none change: one phase.
+TEST(TreeShade, LeafDaysOfSingleTreesInOneSeasonLeaveLongestRuns) {
+    City city = townWithOwnLeafDays();
+    std::erase_if(city.buildings, [](const auto& building) { return building->parts[0].isOverhanging; });
+    const SunSteps all = knownSun();
+    const Receivers receivers = receiversOver(city, 0, 0, 100, 100, 4);
+    for (std::size_t day = 0; day < knownDays.size(); ++day) {
+        const SunSteps sun = dayOf(all, day);
+        EXPECT_TRUE(findCrowns(city, receivers, sun).phases.empty());
+        const ShadowField own = swept(city, receivers, sun),
+                          fixed = swept(townOnDay(city, knownDays[day]), receivers, sun);
+        ASSERT_TRUE(own.trees && fixed.trees) << knownDays[day];
+        for (const std::uint32_t cell : receivers.cells) {
+            EXPECT_EQ(own.trees->seasonal->continuousMin[cell], fixed.trees->seasonal->continuousMin[cell]);
+            EXPECT_EQ(own.trees->seasonal->grossMin[cell], fixed.trees->seasonal->grossMin[cell]);
+            EXPECT_GE(own.trees->seasonal->continuousMin[cell], own.continuousMin[cell]);
+        }
+    }
+    EXPECT_EQ(findCrowns(city, receivers, all).phases.count(), 3U);
 }
 
 TEST(TreeShade, OfPointsHonoursLeafDaysOfSingleTrees) {

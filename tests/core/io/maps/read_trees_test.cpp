@@ -154,6 +154,35 @@ TEST_F(ReadTreesTest, LeafDaysOfATreeAreRead) {
     EXPECT_THAT(whats(read->warnings), Contains(HasSubstr("no day of the year")));
 }
 
+// GDAL takes such values of GeoJSON for dates, and writes them with slashes.
+TEST_F(ReadTreesTest, LeafDaysOfAColumnOfDatesAreRead) {
+    const auto read = tryRead(folder_.file("t.geojson", R"({"type": "FeatureCollection", "features": [
+{"type": "Feature", "geometry": {"type": "Point", "coordinates": [-73.98, 40.75]},
+ "properties": {"height": 9, "leaf_on_day": "2026-04-15", "leaf_off_day": "2024-10-31"}},
+{"type": "Feature", "geometry": {"type": "Point", "coordinates": [-73.98, 40.76]},
+ "properties": {"height": 9, "leaf_on_day": "2024-02-29", "leaf_off_day": "2024-12-31"}}]})"));
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->trees.size(), 2U);
+    EXPECT_EQ(read->trees[0].facts.leafOnDay, 105);
+    EXPECT_EQ(read->trees[0].facts.leafOffDay, 304) << "in leap years, too";
+    EXPECT_EQ(read->trees[1].facts.leafOnDay, 60) << "as 1 March";
+    EXPECT_EQ(read->trees[1].facts.leafOffDay, 365);
+}
+
+TEST(TreeFields, ALeafDayIsAWholeNumber) {
+    const auto dayOf = [](const char* written, std::size_t warningCount) {
+        const std::vector<std::string> fields{"leaf_on_day", "height"}, values{written, "9"};
+        Warnings warnings;
+        const TreeFacts facts = collectTreeFacts(findTreeFields(fields), values, "a tree", warnings);
+        EXPECT_EQ(warnings.size(), warningCount) << written;
+        return facts.leafOnDay;
+    };
+    EXPECT_EQ(dayOf("3.7", 1), std::nullopt);
+    EXPECT_EQ(dayOf("105.0", 0), 105);
+    EXPECT_EQ(dayOf("2026/04/15 00:00:00", 0), 105);
+    EXPECT_EQ(dayOf("2026-02-30", 1), std::nullopt);
+}
+
 TEST_F(ReadTreesTest, AStemOfNoStatedUnitIsReported) {
     const auto read = tryRead(folder_.file("t.csv", "dbh,lat,lon\n30,40.75,-73.98\n"));
     ASSERT_TRUE(read);
