@@ -268,13 +268,14 @@ SkyCrowns::SkyCrowns(const City& city) {
         crowns_.back().season = seasons.add(tree);
     }
     constexpr int days = 365;
-    std::map<std::vector<std::uint8_t>, int> known;
+    std::map<std::vector<bool>, int> known;
     for (int day = 1; day <= days; ++day) {
-        std::vector<std::uint8_t> inLeaf;
-        for (const LeafDays& season : seasons.days()) inLeaf.push_back(season.inLeafOn(day) ? 1 : 0);
+        std::vector<bool> inLeaf;
+        for (const LeafDays& season : seasons.days()) inLeaf.push_back(season.inLeafOn(day));
         ++known[std::move(inLeaf)];
     }
-    for (const auto& [inLeaf, count] : known) year_.push_back({inLeaf, double(count) / days});
+    for (const auto& [inLeaf, count] : known)
+        year_.push_back({{inLeaf.begin(), inLeaf.end()}, double(count) / days});
     alwaysInLeaf_.push_back({std::vector<std::uint8_t>(seasons.days().size(), 1), 1});
 }
 
