@@ -42,7 +42,7 @@ TEST(Map, ALegendWithPatchesKeepsItsUnit) {
         tests::RecordedPage page({width, 40});
         QPainter painter(&page);
         Legend legend{"Change of gross shadow", "min a day", {60, 15}, false, true};
-        legend.patches = {{Qt::gray, "built over"}, {Qt::yellow, "building gone"}};
+        legend.patches = {{Qt::gray, "built over"}, {Qt::yellow, "building absent"}};
         paintLegend({painter, 1}, QRectF(0, 0, width, legendHeightPt), legend);
         painter.end();
         return page.allText().contains(QStringLiteral("min a day"));
@@ -99,15 +99,15 @@ TEST(Map, ProposalsAreTintedAndWhatIsDemolishedIsOutlined) {
 TEST(Map, AChangedBuildingIsNotDemolished) {
     City before = tests::syntheticStudy().city;
     before.buildings.clear();
-    for (const char* id : {"changed", "gone"})
+    for (const char* id : {"changed", "removed"})
         before.buildings.push_back(std::make_shared<const Building>(Building{.sourceId = id}));
     City after = before;
     after.buildings.pop_back();
-    const auto gone = findGone(before, after);
-    ASSERT_TRUE(gone);
-    ASSERT_EQ(gone->buildings.size(), 1U);
-    EXPECT_EQ(gone->buildings[0]->sourceId, "gone");
-    EXPECT_FALSE(findGone(before, before));
+    const auto absent = findAbsent(before, after);
+    ASSERT_TRUE(absent);
+    ASSERT_EQ(absent->buildings.size(), 1U);
+    EXPECT_EQ(absent->buildings[0]->sourceId, "removed");
+    EXPECT_FALSE(findAbsent(before, before));
 }
 
 TEST(Map, EdgesOfCellsAreExact) {

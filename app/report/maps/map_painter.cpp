@@ -323,7 +323,7 @@ void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene, 
     canvas.painter.drawRect(view.target());
 }
 
-std::shared_ptr<const City> findGone(City onlyBefore, const City& after) {
+std::shared_ptr<const City> findAbsent(City onlyBefore, const City& after) {
     std::set<std::string_view> ids;
     for (const auto& building : after.buildings) ids.insert(building->sourceId);
     std::erase_if(onlyBefore.buildings,

@@ -59,14 +59,14 @@ struct MapScene {
     std::optional<Box2> shown{};     ///< none: grid and region
     /// The colour of each building; empty: grey, and pale outside the region.
     std::function<QColor(const Building&)> fillOf{};
-    /// Buildings of the baseline that are gone, drawn as outlines (findGone()). Null: none.
+    /// Buildings of the baseline alone, drawn as outlines (findAbsent()). Null: none.
     std::shared_ptr<const City> removed{};
     /// Painted below the buildings, over the field; empty: nothing.
     std::function<void(const Canvas&, const MapView&)> ground{};
 };
 /// Of the buildings that only the baseline has those whose id `after` has no more: the others were changed.
 /// Null: none.
-std::shared_ptr<const City> findGone(City onlyBefore, const City& after);
+std::shared_ptr<const City> findAbsent(City onlyBefore, const City& after);
 /// The ground that a map of the scene shows.
 Box2 shownGround(const MapScene& scene);
 /// The part of a map that is worth showing alone: `changed` with some ground around it. None: it is empty, or

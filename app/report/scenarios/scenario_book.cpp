@@ -92,7 +92,7 @@ SheetMap makeScenarioMap(const ScenarioStudies& scenarios, const ScenarioStudy& 
                          const Legend& legend) {
     const Study& study = *scenario.study;
     SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, coloursOf(legend)), legend};
-    map.scene.removed = findGone(keepOwnBuildings(scenarios.front().study->city, study.city), study.city);
+    map.scene.removed = findAbsent(keepOwnBuildings(scenarios.front().study->city, study.city), study.city);
     return map;
 }
 

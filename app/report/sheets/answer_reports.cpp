@@ -101,7 +101,7 @@ double mappedChangeMin(const ImpactAnswer& answer) {
 void zoomOnChange(const ImpactAnswer& answer, SheetMap& map) {
     map.scene.shown = zoomOn(changedGround(answer, mappedChangeMin(answer)), map.scene);
     if (!answer.proposal.buildings.empty()) map.scene.proposal = &answer.proposal;
-    map.scene.removed = findGone(answer.removed, answer.proposal);
+    map.scene.removed = findAbsent(answer.removed, answer.proposal);
 }
 
 /// Rows for the new buildings: "New building", "Mill Tower, 62 m high".

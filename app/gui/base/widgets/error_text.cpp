@@ -104,7 +104,7 @@ QString findTranslated(const std::string& source) {
 /// A text is looked for in all contexts, and one that is its own translation in vain: tables ask for the same
 /// names at each comparison of two rows.
 struct KnownTexts {
-    static constexpr std::size_t most = 100'000;
+    static constexpr std::size_t maxTexts = 100'000;
     std::mutex mutex;
     std::unordered_map<std::string, QString> texts;
     int languageChanges = 0;
@@ -124,7 +124,7 @@ QString translated(std::string_view text) {
     const std::scoped_lock lock(known.mutex);
     const bool isOtherLanguage =
         std::exchange(known.languageChanges, countLanguageChanges()) != countLanguageChanges();
-    if (isOtherLanguage || known.texts.size() >= KnownTexts::most) known.texts.clear();
+    if (isOtherLanguage || known.texts.size() >= KnownTexts::maxTexts) known.texts.clear();
     if (const auto found = known.texts.find(source); found != known.texts.end()) return found->second;
     QString found = findTranslated(source);
     return known.texts.emplace(std::move(source), std::move(found)).first->second;
