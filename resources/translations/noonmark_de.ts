@@ -11264,6 +11264,10 @@ vom Jahr ebenso viele Wochen</translation>
         <source>The date: 21 Dec, 12-21, or 21 for a day of this month</source>
         <translation>Das Datum: 21. Dez, 12-21 oder 21 für einen Tag dieses Monats</translation>
     </message>
+    <message>
+        <source>The wall-clock time: 14:30, 1430, or 14</source>
+        <translation>Die Uhrzeit: 14:30, 1430 oder 14</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::Tour</name>

@@ -11264,6 +11264,10 @@ del año, otras tantas semanas</translation>
         <source>The date: 21 Dec, 12-21, or 21 for a day of this month</source>
         <translation>La fecha: 21 dic, 12-21, o 21 para un día de este mes</translation>
     </message>
+    <message>
+        <source>The wall-clock time: 14:30, 1430, or 14</source>
+        <translation>La hora de reloj: 14:30, 1430 o 14</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::Tour</name>

@@ -11209,6 +11209,10 @@ of the year, as many weeks</source>
         <source>The date: 21 Dec, 12-21, or 21 for a day of this month</source>
         <translation>日付: 21 Dec、12-21、または今月の日として 21</translation>
     </message>
+    <message>
+        <source>The wall-clock time: 14:30, 1430, or 14</source>
+        <translation>時刻: 14:30、1430、14</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::Tour</name>

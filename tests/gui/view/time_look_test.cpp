@@ -66,6 +66,24 @@ TEST(TimeStrip, SlidersGoOverTheYearOfTheStudyByDaysAndMinutes) {
     EXPECT_EQ(strip.look().date, CivilDate(2026y, std::chrono::June, 1d));
 }
 
+TEST(TimeStrip, TakesATimeAsItIsTyped) {
+    TimeStrip strip;
+    strip.setPeriod({.start = {2026y, std::chrono::November, 28d}, .hours = 4});
+    auto* field = strip.findChild<QLineEdit*>(QStringLiteral("lookTimeField"));
+    const auto type = [&](const char* text) {
+        field->selectAll();
+        QTest::keyClicks(field, QLatin1String(text));
+        QTest::keyClick(field, Qt::Key_Return);
+        return strip.look().at.count();
+    };
+    EXPECT_EQ(type("12:00"), 720);
+    EXPECT_EQ(type("9"), 540);
+    EXPECT_EQ(type("1430"), 870);
+    EXPECT_EQ(type("6.15"), 375);
+    EXPECT_EQ(type("25:00"), 375) << "there is no such time";
+    EXPECT_EQ(field->text(), QStringLiteral("06:15"));
+}
+
 TEST(TimeStrip, TakesADateAsItIsTyped) {
     TimeStrip strip;
     strip.setPeriod({.start = {2026y, std::chrono::November, 28d}, .hours = 4});

@@ -188,6 +188,13 @@ QDate parseDay(const QString& text, QDate shown) {
     return match.hasMatch() ? in(shown.month(), match.captured(1)) : QDate();
 }
 
+QTime parseTime(const QString& text) {
+    for (const char* format : {"H:mm", "H.mm", "HHmm", "H"})
+        if (const QTime time = QTime::fromString(text.trimmed(), QLatin1String(format)); time.isValid())
+            return time;
+    return {};
+}
+
 QDate dateOf(CivilDate date) {
     return {int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))};
 }

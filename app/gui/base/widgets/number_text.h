@@ -2,6 +2,7 @@
 
 #include <QDate>
 #include <QString>
+#include <QTime>
 #include <glm/vec3.hpp>
 
 #include "core/sun/civil_time.h"
@@ -51,6 +52,8 @@ QString shortDay();  ///< "21 Mar"
 /// names of months in the window's language or in English, at least three letters. In the year of `shown`.
 /// Invalid: it is none.
 QDate parseDay(const QString& text, QDate shown);
+/// "14:30", "14.30", "1430", "14"; invalid: no time of a day.
+QTime parseTime(const QString& text);
 QString longDay();    ///< "21 March"
 QString dayOfYear();  ///< "21 Mar 2026"
 QString longDate();   ///< "21 March 2026"

@@ -8,7 +8,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
-#include <QTimeEdit>
 #include <QTimer>
 #include <QToolButton>
 #include <array>
@@ -84,12 +83,10 @@ void TimeStrip::makeFields() {
     dateField_->setObjectName(QStringLiteral("lookDateField"));
     dateField_->setToolTip(tr("The date: 21 Dec, 12-21, or 21 for a day of this month"));
     dateField_->setFixedWidth(widthOfDay());
-    timeField_ = new QTimeEdit;
+    timeField_ = new QLineEdit;
     timeField_->setObjectName(QStringLiteral("lookTimeField"));
-    timeField_->setDisplayFormat(QStringLiteral("HH:mm"));
-    timeField_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    // The field follows what is shown: told of every key, it would overwrite what is being typed.
-    timeField_->setKeyboardTracking(false);
+    timeField_->setToolTip(tr("The wall-clock time: 14:30, 1430, or 14"));
+    timeField_->setFixedWidth(widthOfDay());
     words_ = new QLabel;
     words_->setObjectName(QStringLiteral("lookText"));
     sunWords_ = new QLabel;
@@ -175,8 +172,11 @@ void TimeStrip::connectFields() {
         date_->setValue(int(firstOfYear(look_.date).daysTo(date)));
         showLook();  // a day that was shown already keeps its text
     });
-    connect(timeField_, &QTimeEdit::timeChanged, this,
-            [this](QTime time) { time_->setValue(time.hour() * 60 + time.minute()); });
+    connect(timeField_, &QLineEdit::editingFinished, this, [this] {
+        const QTime time = parseTime(timeField_->text());
+        if (time.isValid()) time_->setValue(time.hour() * 60 + time.minute());
+        showLook();  // a time that was shown already keeps its text
+    });
     connect(use_, &QPushButton::clicked, this, [this] { Q_EMIT taken(look_); });
     connect(play_, &QToolButton::toggled, this, &TimeStrip::setPlaying);
     connect(ticks_, &QTimer::timeout, this, &TimeStrip::step);
@@ -264,7 +264,7 @@ void TimeStrip::showLook() {
     date_->setValue(int(first.daysTo(dateOf(look_.date))));
     time_->setValue(int(look_.at.count()));
     dateField_->setText(locale().toString(dateOf(look_.date), shortDay()));
-    timeField_->setTime(timeOf(look_.at));
+    timeField_->setText(timeOf(look_.at).toString(QStringLiteral("HH:mm")));
     if (look_.span == ShownSpan::period) words_->clear();
     use_->setVisible(look_.span != ShownSpan::period);
     showMarks();

@@ -15,7 +15,6 @@ class QLineEdit;
 class QGridLayout;
 class QLabel;
 class QPushButton;
-class QTimeEdit;
 class QTimer;
 class QToolButton;
 
@@ -70,7 +69,7 @@ private:
     MarkedSlider* date_;  // days since the first of the year
     MarkedSlider* time_;  // minutes since midnight
     QLineEdit* dateField_;
-    QTimeEdit* timeField_;
+    QLineEdit* timeField_;
     QLabel* words_;
     QLabel* sunWords_;
     QPushButton* use_;
