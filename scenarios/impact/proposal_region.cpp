@@ -95,19 +95,21 @@ BeyondRegion findBeyond(const ImpactAnswer& answer) {
 }
 
 std::optional<Sentence> describeBeyond(const ImpactAnswer& answer) {
-    const BeyondRegion beyond = findBeyond(answer);
-    if (beyond.proposal == InRegion::none)
+    const Region& region = answer.settings.study.region;
+    const double thresholdMin = answer.settings.thresholdsMin.front();
+    const InRegion proposal = findInRegion(answer.proposal.buildings, region);
+    if (proposal == InRegion::none)
         return Sentence{NM_TEXT("What %1 builds stands outside the region: the figures are of the shadow "
                                 "that reaches into it."),
                         {answer.to}};
-    if (beyond.proposal == InRegion::part)
+    if (proposal == InRegion::part)
         return Sentence{NM_TEXT("A part of what %1 builds stands outside the region: the figures are of "
                                 "the shadow in it."),
                         {answer.to}};
-    if (!beyond.changesAtEdge) return std::nullopt;
+    if (!changesAtEdge(answer.study.total, region, thresholdMin)) return std::nullopt;
     return Sentence{
         NM_TEXT("The change by more than %1 a day reaches the region's edge: beyond it is not measured."),
-        {Amount{answer.settings.thresholdsMin.front(), FigureUnit::minutes}}};
+        {Amount{thresholdMin, FigureUnit::minutes}}};
 }
 
 }  // namespace noonmark

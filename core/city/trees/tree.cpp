@@ -12,7 +12,6 @@
 #include "core/base/safe_text.h"
 #include "core/describe/choice.h"
 #include "core/sun/civil_time.h"
-#include "core/sun/day_of_year.h"
 
 namespace noonmark {
 

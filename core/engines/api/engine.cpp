@@ -64,7 +64,7 @@ std::optional<EngineChoice> Engine::chooseInstead(const EngineChoice& /*failed*/
 }
 
 std::optional<EngineChoice> Engine::chooseMoreExact(const EngineChoice& /*used*/,
-                                                    const SampledDeviation& /*off*/,
+                                                    const SampledDeviation& /*deviation*/,
                                                     std::span<const City* const> /*cities*/,
                                                     const Receivers& /*receivers*/,
                                                     const SunSteps& /*sun*/) const {

@@ -12,7 +12,7 @@
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/trees/crowns_around.h"
 #include "core/simd/flush_denormals.h"
-#include "core/sun/day_of_year.h"
+#include "core/sun/civil_time.h"
 
 namespace noonmark {
 

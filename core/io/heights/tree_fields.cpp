@@ -10,7 +10,7 @@
 
 #include "core/describe/text.h"
 #include "core/io/heights/height_text.h"
-#include "core/sun/day_of_year.h"
+#include "core/sun/civil_time.h"
 
 namespace noonmark {
 
