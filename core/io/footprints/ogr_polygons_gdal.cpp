@@ -65,7 +65,8 @@ bool isUprightFace(const OGRGeometry& face) {
     OGREnvelope3D box;
     face.getEnvelope(&box);
     const double width = box.MaxX - box.MinX, depth = box.MaxY - box.MinY;
-    return box.MaxZ - box.MinZ > 0.5 &&
+    constexpr double lowest = 0.5;  // metres or feet: less is a level face, rounded
+    return box.MaxZ - box.MinZ > lowest &&
            face.toSurface()->get_Area() <= 1e-6 * (width * width + depth * depth);
 }
 
