@@ -109,6 +109,15 @@ std::vector<StatedFigure> readFigures(RuleFields& rule, const std::string& sourc
     return figures;
 }
 
+std::optional<RuleArea> readArea(RuleFields& fields) {
+    if (!fields.has("near")) return std::nullopt;
+    RuleFields near = fields.object("near");
+    const LonLat centre{near.number("lon_deg", -180, 180), near.number("lat_deg", -90, 90)};
+    const RuleArea area{centre, 1000 * near.number("km", 1, 2000)};
+    near.finish();
+    return area;
+}
+
 void readHeading(RuleFields& fields, Rule& rule) {
     if (fields.numberOr("schema", 1, 1, 0) != 1) fields.addProblem("schema", "The schema must be 1");
     rule.key = fields.text("key");
@@ -123,6 +132,7 @@ void readHeading(RuleFields& fields, Rule& rule) {
     if (!std::ranges::all_of(rule.countries, isCode))
         fields.addProblem("countries", "A country is a code of two capital letters (ISO 3166-1)",
                           "Write [\"US\"]");
+    rule.area = readArea(fields);
     const std::string half = fields.textOr("hemisphere", "north");
     rule.isSouthern = half == "south";
     if (!rule.isSouthern && half != "north")

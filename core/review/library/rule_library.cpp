@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <map>
+#include <tuple>
 
+#include "core/geo/lon_lat.h"
 #include "core/sun/zone_country.h"
 #include "generated/shipped_rules.h"
 
@@ -39,6 +41,21 @@ std::vector<RuleGroup> groupByCountry(const std::vector<Rule>& rules, std::strin
     }
     std::ranges::stable_sort(groups, {}, [&](const RuleGroup& group) { return rankOf(group, site); });
     return groups;
+}
+
+std::string suggestRule(const std::vector<Rule>& rules, std::string_view country, LonLat site) {
+    const auto reaches = [site](const Rule& rule) {
+        return !rule.area || computeGreatCircleM(rule.area->centre, site) <= rule.area->radiusM;
+    };
+    const auto rank = [](const Rule* rule) {
+        return std::tuple(!rule->area, rule->countries.size() > 1,
+                          rule->receivers.surface != RuleSurface::ground);
+    };
+    std::vector<const Rule*> ofSite;
+    for (const Rule& rule : rules)
+        if (isOf(rule, country) && reaches(rule)) ofSite.push_back(&rule);
+    const auto first = std::ranges::min_element(ofSite, {}, rank);
+    return first == ofSite.end() ? "four-days" : (*first)->key;
 }
 
 namespace {

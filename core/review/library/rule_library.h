@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/base/warnings.h"
+#include "core/geo/frame.h"
 #include "core/review/library/read_rule.h"
 #include "core/review/rule/rule.h"
 
@@ -23,6 +24,11 @@ struct RuleGroup {
 /// `site`: its ISO 3166-1 code (zone_country.h); empty: not known, and nothing is abroad. The rules must
 /// outlive the groups.
 std::vector<RuleGroup> groupByCountry(const std::vector<Rule>& rules, std::string_view site);
+
+/// The key of the rule that a review at `site` begins with: that of its city, else of its country, else one
+/// that several countries share, else the diagrams of four days. `country`: as above. Of several, those about
+/// ground come first.
+std::string suggestRule(const std::vector<Rule>& rules, std::string_view country, LonLat site);
 
 /// The rules that ship with Noonmark (resources/rules) and those of the user's folders.
 class RuleLibrary {

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/units.h"
 #include "core/receivers/parcels/parcel_lines.h"
 #include "core/receivers/place.h"
 #include "core/review/rule/glazing_rule.h"
@@ -223,11 +224,18 @@ struct StatedFigure {
     Evidence evidence;
 };
 
+/// A city or a part of a country: a circle on the earth.
+struct RuleArea {
+    LonLat centre;
+    double radiusM = 0;
+};
+
 /// A rule of a review board. Complete and checked: made by parseRule().
 struct Rule {
     std::string key;  ///< a to z, 0 to 9 and hyphens
     std::string name, where, summary, source;
     std::vector<std::string> countries;  ///< ISO 3166-1 codes where it applies; empty: anywhere
+    std::optional<RuleArea> area;        ///< the part of the country where it applies; none: all of it
     bool isSouthern = false;             ///< its dates are seasons of the southern half of the earth
     RuleDays days;
     CountedHours window;

@@ -26,7 +26,7 @@ inline bool screensPlaces(ReviewedPlaces reviewed, std::size_t places) {
 
 /// What the user has chosen to review. Saved with the view of the project.
 struct ReviewChoice {
-    std::string rule = "four-days";
+    std::string rule;                 ///< empty: that of the site, see suggestRule()
     RuleChoices options;              ///< of rules with choices; missing ones: the first option
     std::string from = existingCity;  ///< the baseline
     std::string to;                   ///< the scenario; empty: whichever is displayed

@@ -8,6 +8,7 @@
 #include "app/gui/docks/review/review_cache.h"
 #include "app/gui/session/workbench.h"
 #include "core/receivers/place_names.h"
+#include "core/sun/zone_country.h"
 
 namespace noonmark {
 
@@ -51,8 +52,16 @@ void ReviewSession::restore(const std::string& text) {
     proposed_.reset();
     reach_.reset();
     choice_ = parseReviewChoice(text);
+    suggest();
     Q_EMIT changed();
     Q_EMIT answered();
+}
+
+// Where nobody has chosen a rule yet.
+void ReviewSession::suggest() {
+    if (choice_.rule.empty() && workbench_.city())
+        choice_.rule =
+            suggestRule(library_.rules(), countryOfZone(zone()), workbench_.city()->city().frame.origin());
 }
 
 const std::string& ReviewSession::zone() const { return workbench_.document().settings().period.zone; }
@@ -330,6 +339,7 @@ void ReviewSession::takeLive(Result<ReviewAnswer> answer) {
 
 // A review that was quick is computed again, as studies are.
 void ReviewSession::cityChanged() {
+    suggest();
     recall();
     Q_EMIT answered();
     if (!answer_ || !following_ || proposed_ || answer_->seconds > quickSeconds) return;

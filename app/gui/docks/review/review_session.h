@@ -133,6 +133,7 @@ private:
     void rename(ProjectPart part, const std::string& from, const std::string& to);
     void cityChanged();
     void report(const Error& error);
+    void suggest();
     [[nodiscard]] std::string scenarioName() const;
     [[nodiscard]] Result<ReviewQuestion> questionOf(const std::string& scenario);
     std::map<std::string, std::shared_ptr<const ReviewAnswer>> findLatest(const Rule& rule,
