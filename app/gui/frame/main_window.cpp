@@ -191,6 +191,7 @@ void MainWindow::fillMenus(const QList<QAction*>& docks) {
     QAction* quit = noonmark::fillMenus(*menuBar(), actions);
     makeToolBars(actions);
     menuBar()->setCornerWidget(search_.field());
+    search_.findCommandsOf(*menuBar());
     connect(quit, &QAction::triggered, this, &QWidget::close);
 }
 
@@ -705,6 +706,8 @@ void MainWindow::takeOver(MainWindow& before) {
     opening_.takeProject();
     panel_->time().choose(before.panel_->time().look());
     comparing_.restore(before.comparing_.choice());
+    review_.takeOver(before.review_);
+    glazingReview_.takeOver(before.glazingReview_);
     showTitle();
     before.saving_.removeRecovery();
     if (workbench_.session().hasUnsavedWork()) saving_.writeRecovery();

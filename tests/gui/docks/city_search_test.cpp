@@ -6,6 +6,8 @@
 #include <QAbstractItemModel>
 #include <QCompleter>
 #include <QFocusEvent>
+#include <QMenu>
+#include <QSignalSpy>
 #include <QTest>
 #include <glm/geometric.hpp>
 
@@ -58,6 +60,22 @@ TEST(CitySearch, FindsABuildingByItsId) {
     EXPECT_EQ(found.front().building, 1U);  // equal to the id, before names that begin with b
 }
 
+TEST(CitySearch, FindsCommandsByTitleAndTooltipWhereTheyCanBeUsed) {
+    QMenu menu(QStringLiteral("&Edit"));
+    QMenu* below = menu.addMenu(QStringLiteral("&Trees"));
+    QAction* plant = below->addAction(QStringLiteral("&Plant trees"));
+    plant->setToolTip(QStringLiteral("An avenue, too"));
+    CitySearch search = townSearch();
+    search.addCommands(menu);
+    const auto found = search.find("plant");
+    ASSERT_THAT(titles(found), testing::ElementsAre("Plant trees"));
+    EXPECT_EQ(found.front().command, plant);
+    EXPECT_EQ(found.front().about, QStringLiteral("Edit > Trees"));
+    EXPECT_THAT(titles(search.find("avenue")), testing::ElementsAre("Plant trees"));
+    plant->setEnabled(false);
+    EXPECT_TRUE(search.find("plant").empty());
+}
+
 TEST(CitySearch, JoinsTheLinesOfAStreet) {
     const auto found = townSearch().find("tower street");
     ASSERT_EQ(found.size(), 1U);
@@ -105,6 +123,18 @@ TEST_F(ProjectWindow, WhatIsChosenInTheListIsShownAlsoOnceTheFieldHasLostTheFocu
     EXPECT_EQ(window->tools().building().selected(), 3U);
     EXPECT_GT(glm::distance(first, tower), 20);
     EXPECT_LT(glm::distance(choose(house), first), 1);
+}
+
+TEST_F(ProjectWindow, ACommandThatIsTypedIsRun) {
+    auto* field = window->findChild<SearchField*>();
+    QAction* asked = window->findChild<QAction*>(QStringLiteral("drawPlace"));
+    ASSERT_NE(asked, nullptr);
+    QSignalSpy run(asked, &QAction::triggered);
+    field->setFocus();
+    QTest::keyClicks(field, asked->text().remove(u'&'));
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_EQ(run.size(), 1);
+    EXPECT_TRUE(field->text().isEmpty());
 }
 
 }  // namespace

@@ -175,5 +175,20 @@ TEST_F(RenewalTest, AResultStaysShown) {
     EXPECT_TRUE(window().panel().results().showsAnswer() || window().mode().mode() == ViewMode::exploration);
 }
 
+TEST_F(RenewalTest, TheVerdictsOfAReviewStay) {
+    ProjectSession& session = window().workbench().session();
+    Project next = session.project();
+    next.places.push_back({"Yard", PlaceKind::park, {test::square({20, 20}, 30)}, "drawn"});
+    ASSERT_TRUE(session.change(std::move(next), QStringLiteral("places")));
+    ASSERT_TRUE(session.addEdits({test::newTower("New", 70)}, QStringLiteral("tower")));
+    ASSERT_TRUE(waitFor([this] { return window().workbench().city()->city().buildings.size() == 4; }));
+    window().review().run();
+    ASSERT_TRUE(waitFor([this] { return window().review().shown() != nullptr; }));
+    const auto before = window().review().shown();
+    choose(Language::german, UnitSystem::metric);
+    EXPECT_EQ(window().review().shown(), before);
+    EXPECT_TRUE(window().review().whyOutdated().isEmpty()) << window().review().whyOutdated().toStdString();
+}
+
 }  // namespace
 }  // namespace noonmark

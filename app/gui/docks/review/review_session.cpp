@@ -57,6 +57,14 @@ void ReviewSession::restore(const std::string& text) {
     Q_EMIT answered();
 }
 
+void ReviewSession::takeOver(const ReviewSession& before) {
+    answer_ = before.answer_;
+    cached_ = before.cached_;
+    reach_ = before.reach_;
+    Q_EMIT changed();
+    Q_EMIT answered();
+}
+
 // Where nobody has chosen a rule yet.
 void ReviewSession::suggest() {
     if (choice_.rule.empty() && workbench_.city())

@@ -48,6 +48,8 @@ public:
     void choose(const ReviewChoice& choice);        ///< no undo step, like the camera
     /// Another project was opened: takes the choice saved in it, and drops the answers of the one before.
     void restore(const std::string& text);
+    /// Takes the answers of another session of the same workbench.
+    void takeOver(const ReviewSession& before);
 
     [[nodiscard]] Result<Rule> rule() const { return library_.find(choice_.rule, choice_.options); }
     /// The places that can be chosen; the lots, for a rule about parcels.

@@ -2,6 +2,7 @@
 
 #include <QAbstractItemView>
 #include <QCompleter>
+#include <QMenu>
 #include <QObject>
 #include <QRegularExpression>
 #include <QStandardItemModel>
@@ -36,6 +37,13 @@ int rank(const QString& name, const QString& wanted) {
     return name.contains(wanted) ? 1 : 0;
 }
 
+// Without the mark of its key: "Save &as...".
+QString plainTitle(QString title) { return title.remove(u'&'); }
+
+bool isAvailable(const Found& found) {
+    return found.kind != FoundKind::command || (found.command && found.command->isEnabled());
+}
+
 bool isOnEarth(LonLat place) { return std::abs(place.latDeg) <= 90 && std::abs(place.lonDeg) <= 180; }
 
 Box2 boxOf(const std::vector<Footprint>& polygons) {
@@ -68,7 +76,12 @@ CitySearch::CitySearch(const City& city, const std::vector<Place>& places, const
             id);
     }
     for (const Place& place : places)
-        add({FoundKind::place, placeName(place.name), describeKind(place.kind), boxOf(place.polygons), {}});
+        add({FoundKind::place,
+             placeName(place.name),
+             describeKind(place.kind),
+             boxOf(place.polygons),
+             {},
+             place.name});
     for (const NamedLot& lot : lots)
         add({FoundKind::lot, QString::fromStdString(lot.name), QObject::tr("lot"), bounds(lot.outline), {}});
     if (!city.context) return;
@@ -79,6 +92,18 @@ CitySearch::CitySearch(const City& city, const std::vector<Place>& places, const
 void CitySearch::add(Found found, const QString& id) {
     QString folded = fold(found.title);
     entries_.push_back({std::move(found), std::move(folded), fold(id)});
+}
+
+void CitySearch::addCommands(const QMenu& menu) { addCommands(menu, plainTitle(menu.title())); }
+
+void CitySearch::addCommands(const QMenu& menu, const QString& path) {
+    for (QAction* action : menu.actions()) {
+        const QString title = plainTitle(action->text());
+        if (const QMenu* below = action->menu())
+            addCommands(*below, QStringLiteral("%1 > %2").arg(path, title));
+        else if (!action->isSeparator())
+            add({FoundKind::command, title, path, {}, {}, {}, action}, action->toolTip());
+    }
 }
 
 std::vector<Found> CitySearch::find(const QString& text, std::size_t maximum) const {
@@ -102,7 +127,7 @@ std::vector<Found> CitySearch::find(const QString& text, std::size_t maximum) co
     };
     std::ranges::stable_sort(ranked, {}, order);
     for (const auto& [how, entry] : ranked)
-        if (found.size() < maximum) found.push_back(entry->found);
+        if (found.size() < maximum && isAvailable(entry->found)) found.push_back(entry->found);
     return found;
 }
 
@@ -134,7 +159,8 @@ SearchField::SearchField(QWidget* parent)
     setObjectName(QStringLiteral("search"));
     setPlaceholderText(tr("Find (Ctrl+F)"));
     setToolTip(
-        tr("A building by name or id, a street, a place, a lot, or a position such as 40.7536, -73.9832"));
+        tr("A building by name or id, a street, a place, a lot, a position such as 40.7536, -73.9832, or a "
+           "command"));
     setClearButtonEnabled(true);
     setFixedHeight(sizeHint().height());
     completer_->setCompletionMode(QCompleter::UnfilteredPopupCompletion);

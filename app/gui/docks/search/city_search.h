@@ -1,9 +1,11 @@
 #pragma once
 
-// The folder app/gui/docks/search finds things of the open project by name: CitySearch is the index and its
-// query, SearchField the field in the menu bar.
+// The folder app/gui/docks/search finds things of the open project and commands of the menus by name:
+// CitySearch is the index and its query, SearchField the field in the menu bar.
 
+#include <QAction>
 #include <QLineEdit>
+#include <QPointer>
 #include <QString>
 #include <functional>
 #include <optional>
@@ -14,11 +16,12 @@
 #include "scenarios/project/project.h"
 
 class QCompleter;
+class QMenu;
 class QStandardItemModel;
 
 namespace noonmark {
 
-enum class FoundKind { building, place, street, lot, coordinates };
+enum class FoundKind { building, place, street, lot, coordinates, command };
 
 /// One thing that was found.
 struct Found {
@@ -27,6 +30,8 @@ struct Found {
     QString about;                          ///< "building, way 34633854", "park"
     Box2 box;                               ///< where it is, local metres
     std::optional<std::uint32_t> building;  ///< its index in the city
+    std::string name = {};                  ///< of a place, as the project has it
+    QPointer<QAction> command = nullptr;    ///< of FoundKind::command; null: its menu has dropped it since
 };
 
 /// What can be found by name or id in a city with its places and lots. Immutable.
@@ -35,6 +40,9 @@ public:
     CitySearch() = default;
     /// O(buildings + streets): 20 ms for 43,000 buildings.
     CitySearch(const City& city, const std::vector<Place>& places, const std::vector<NamedLot>& lots);
+
+    /// The commands of a menu and of those below it; the text of their tooltips is searched, too.
+    void addCommands(const QMenu& menu);
 
     /// At most `maximum`, the best first: equal names, then names that begin with the text, names in which a
     /// word begins with it, and those that contain it; shorter names first. Upper and lower case and accents
@@ -46,9 +54,11 @@ private:
     struct Entry {
         Found found;
         QString folded;    ///< of the title
-        QString foldedId;  ///< of a building
+        QString foldedId;  ///< of a building; the tooltip of a command
     };
     void add(Found found, const QString& id = {});
+
+    void addCommands(const QMenu& menu, const QString& path);
 
     Frame frame_{{0, 0}};
     std::vector<Entry> entries_;
@@ -58,8 +68,8 @@ private:
 /// readings of plain numbers the one nearer to `near`. Nothing for other texts.
 std::optional<LonLat> parsePosition(const QString& text, LonLat near);
 
-/// The field in which a building, a place, a street, a lot or a position is looked for. While the user types,
-/// a list shows what fits; Enter takes the first.
+/// The field in which a building, a place, a street, a lot, a position or a command is looked for. While the
+/// user types, a list shows what fits; Enter takes the first.
 class SearchField final : public QLineEdit {
     Q_OBJECT
 public:

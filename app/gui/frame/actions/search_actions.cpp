@@ -1,5 +1,7 @@
 #include "app/gui/frame/actions/search_actions.h"
 
+#include <QMenuBar>
+
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/docks/search/city_search.h"
 #include "app/gui/session/workbench.h"
@@ -26,29 +28,45 @@ SearchActions::SearchActions(Workbench& workbench, EditTools& tools, ViewPanel& 
       panel_(panel),
       field_(new SearchField),
       find_(makeAction(this, tr("&Find"), QKeySequence::Find,
-                       tr("A building by name or id, a street, a place, a lot or a position"), "find")) {
+                       tr("A building by name or id, a street, a place, a lot, a position or a command"),
+                       "find")) {
     connect(find_, &QAction::triggered, field_, &SearchField::begin);
     connect(field_, &SearchField::found, this, &SearchActions::show);
     connect(field_, &SearchField::nothingFound, this, [this](const QString& text) {
-        panel_.messages().showNote(
-            tr("Nothing is called \"%1\". Buildings without a name are found by their id.").arg(text));
+        panel_.messages().showNote(tr("Nothing is called \"%1\", and no command that can be used now. "
+                                      "Buildings without a name are found by "
+                                      "their id.")
+                                       .arg(text));
     });
     connect(&workbench_, &Workbench::cityShown, this, &SearchActions::renew);
     connect(&workbench_.session(), &ProjectSession::changed, this, &SearchActions::renew);
 }
 
 void SearchActions::renew() {
-    if (!workbench_.city()) return;
     field_->setIndex([this] {
         const Project& project = workbench_.session().project();
-        return CitySearch(workbench_.city()->city(), project.places, project.lots);
+        const auto city = workbench_.city();
+        CitySearch index = city ? CitySearch(city->city(), project.places, project.lots) : CitySearch();
+        if (menus_ == nullptr) return index;
+        for (const QAction* menu : menus_->actions())
+            if (menu->menu() != nullptr) index.addCommands(*menu->menu());
+        return index;
     });
 }
 
+void SearchActions::findCommandsOf(const QMenuBar& menus) {
+    menus_ = &menus;
+    renew();
+}
+
 void SearchActions::show(const Found& found) {
+    if (found.kind == FoundKind::command) {
+        field_->clear();
+        return found.command->trigger();
+    }
     panel_.navigator().showSlanting(widened(found.box));
     if (found.building) tools_.building().select(found.building);
-    if (found.kind == FoundKind::place) panel_.highlightPlace(found.title.toStdString());
+    if (found.kind == FoundKind::place) panel_.highlightPlace(found.name);
 }
 
 }  // namespace noonmark

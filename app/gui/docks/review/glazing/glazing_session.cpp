@@ -32,6 +32,12 @@ GlazingSession::GlazingSession(Workbench& workbench, ReviewSession& review, QObj
     connect(&workbench_, &Workbench::answered, this, &GlazingSession::adoptShown);
 }
 
+void GlazingSession::takeOver(const GlazingSession& before) {
+    answer_ = before.answer_;
+    cached_ = before.cached_;
+    Q_EMIT answered();
+}
+
 // One that was chosen in the list of answers.
 void GlazingSession::adoptShown() {
     const auto shown = workbench_.answerAs<GlazingAnswer>();

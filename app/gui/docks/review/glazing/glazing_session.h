@@ -24,6 +24,8 @@ public:
     [[nodiscard]] bool applies() const;
     /// What run() would compute. Error: what is still missing, and what to do.
     [[nodiscard]] Result<GlazingQuestion> question();
+    /// Takes the answers of another session of the same workbench.
+    void takeOver(const GlazingSession& before);
     void run();
     /// As of ReviewSession.
     void runAll();
