@@ -36,6 +36,19 @@ TEST(PresentTime, IsNoonOfTheSameDayWhileTheSunIsDown) {
         << "eleven in the evening before";
 }
 
+// In midwinter the sun of New York is 1 degree high at half past seven, 26 at noon.
+TEST(PresentTime, IsNoonWhileTheSunIsLow) {
+    const auto present =
+        findPresentTime(newYork, inNewYork, at(2026y / std::chrono::December / 21, 12h + 30min)).value();
+    EXPECT_EQ(present.look.at, std::chrono::minutes(12h));
+    EXPECT_TRUE(present.isNoon);
+    // At 66 degrees north and 5 east the sun of 1 February is highest, 7 degrees, at ten to one: that is its
+    // light.
+    const Observer north{.place = {5, 66}};
+    const Period there{.start = 2025y / std::chrono::March / 21, .zone = "Europe/Oslo"};
+    EXPECT_FALSE(findPresentTime(north, there, at(2026y / std::chrono::February / 1, 11h + 50min))->isNoon);
+}
+
 TEST(PresentTime, TheDayThatAYearLacksIsTheLastOfItsMonth) {
     const ShownTime look =
         findPresentTime(newYork, inNewYork, at(2028y / std::chrono::February / 29, 17h)).value().look;
@@ -72,7 +85,7 @@ TEST_F(PresentWindow, AtNightItIsNoonAndSaysSo) {
     openAt(5h);
     EXPECT_EQ(look().span, ShownSpan::moment);
     EXPECT_EQ(look().at, 12h);
-    EXPECT_TRUE(window.time().moment().startsWith(QStringLiteral("It is night there now")))
+    EXPECT_TRUE(window.time().moment().startsWith(QStringLiteral("The sun is down or low there now")))
         << window.time().moment().toStdString();
 }
 

@@ -155,8 +155,9 @@ QString TimeDisplay::moment() const {
     if (!showsMoment()) return {};
     const ShownTime& look = panel_.time().look();
     const QString words = tr("%1. %2").arg(describe(look), describe(sun_));
-    return showsPresent() && present_->isNight ? tr("It is night there now, so this is noon: %1").arg(words)
-                                               : words;
+    return showsPresent() && present_->isNoon
+               ? tr("The sun is down or low there now, so this is noon: %1").arg(words)
+               : words;
 }
 
 void TimeDisplay::offer() {

@@ -69,6 +69,8 @@ void SunShadow::take(const Result<Drawn>& drawn) {
 
 namespace {
 
+constexpr double readableAltitudeDeg = 10;  // shadows are five times as long as buildings are high
+
 int wallClock(const Zone& zone, Instant at) {
     const auto seconds = std::chrono::floor<std::chrono::seconds>(at);
     const auto local = (seconds.time_since_epoch() + zone.offsetAt(seconds)).count();
@@ -108,8 +110,12 @@ Result<PresentTime> findPresentTime(const Observer& observer, const Period& peri
     if (!look.date.ok()) look.date = look.date.year() / look.date.month() / std::chrono::last;
     const auto sun = computeSunAt(observer, period, look);
     if (!sun) return tl::make_unexpected(sun.error());
-    if (!sun->isUp()) look.at = std::chrono::hours(12);
-    return PresentTime{look, !sun->isUp()};
+    if (sun->altitudeDeg >= readableAltitudeDeg) return PresentTime{look};
+    ShownTime noon = look;
+    noon.at = std::chrono::hours(12);
+    const auto atNoon = computeSunAt(observer, period, noon);
+    const bool isLighter = !sun->isUp() || (atNoon && atNoon->altitudeDeg > sun->altitudeDeg);
+    return isLighter ? PresentTime{noon, true} : PresentTime{look};
 }
 
 QString describe(const SunAtMoment& sun) {

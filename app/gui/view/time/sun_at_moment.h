@@ -70,11 +70,12 @@ Result<SunAtMoment> computeSunAt(const Observer& observer, const Period& period,
 /// The present as a shown time.
 struct PresentTime {
     ShownTime look;
-    bool isNight = false;  ///< look is noon of that day instead
+    bool isNoon = false;  ///< noon of that day instead: the sun is down or low
 };
 
 /// The moment that it is at `now` in the period's zone, with the day in the year of the period; noon of that
-/// day while the sun is down. Error: an unknown zone.
+/// day while the sun is down or less than 10 degrees high and higher at noon: then nearly all ground is dark.
+/// Error: an unknown zone.
 Result<PresentTime> findPresentTime(const Observer& observer, const Period& period, Instant now);
 
 /// "Sun 221° SW, 32° high", "Sun below the horizon".
