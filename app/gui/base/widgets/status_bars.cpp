@@ -173,7 +173,7 @@ ProgressStrip::ProgressStrip(QBoxLayout::Direction direction, QWidget* parent)
 
 void ProgressStrip::follow(JobSlot& slot, Jobs jobs, const QWidget* other) {
     connect(&slot, &JobSlot::started, this, [this, &slot, jobs, other](const Job& job, const QString& what) {
-        begin({&slot, jobs, other, tr("%1: starting").arg(what)}, job, what);
+        begin({&slot, jobs, other, what, tr("starting")}, job);
     });
     connect(&slot, &JobSlot::ended, this, [this, &slot] { finish(slot); });
     if (jobs == Jobs::whole) return;
@@ -182,15 +182,11 @@ void ProgressStrip::follow(JobSlot& slot, Jobs jobs, const QWidget* other) {
     });
 }
 
-void ProgressStrip::begin(Running now, const Job& job, const QString& what) {
+void ProgressStrip::begin(Running now, const Job& job) {
     const JobSlot& slot = *now.slot;
     std::erase_if(running_, [&](const Running& one) { return one.slot == &slot; });
-    connect(&job, &Job::progressed, this, [this, &slot, what](double fraction, const QString& stage) {
-        take(slot, fraction,
-             QStringLiteral("%1, %2 %: %3")
-                 .arg(what)
-                 .arg(int(fraction * 100))
-                 .arg(translated(stage.toStdString())));
+    connect(&job, &Job::progressed, this, [this, &slot](double fraction, const QString& stage) {
+        take(slot, fraction, translated(stage.toStdString()));
     });
     const bool isFirst = running_.empty();
     const bool waits = now.jobs == Jobs::often;
@@ -199,11 +195,11 @@ void ProgressStrip::begin(Running now, const Job& job, const QString& what) {
     showLast();
 }
 
-void ProgressStrip::take(const JobSlot& slot, double fraction, const QString& text) {
+void ProgressStrip::take(const JobSlot& slot, double fraction, const QString& stage) {
     const auto one = std::ranges::find(running_, &slot, &Running::slot);
     if (one == running_.end()) return;
     one->fraction = fraction;
-    one->text = text;
+    one->stage = stage;
     if (!wait_.isActive()) showLast();
 }
 
@@ -222,7 +218,10 @@ void ProgressStrip::showLast() {
     if (running_.empty()) return hide();
     const Running& last = running_.back();
     cancel_->setVisible(last.jobs != Jobs::whole);
-    label_->setText(last.text);
+    const auto textAt = [&](int percent) { return QStringLiteral("%1, %2 %").arg(last.what).arg(percent); };
+    label_->setText(textAt(int(last.fraction * 100)));
+    label_->setMinimumWidth(label_->fontMetrics().horizontalAdvance(textAt(100)));
+    setToolTip(last.stage);
     bar_->setValue(int(last.fraction * bar_->maximum()));
     setVisible(!last.other || !isSeen(*last.other));
 }

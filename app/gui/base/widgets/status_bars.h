@@ -87,11 +87,12 @@ private:
         JobSlot* slot;
         Jobs jobs;
         const QWidget* other;
-        QString text;
+        QString what;
+        QString stage;  ///< what it does just now: in the tooltip, since the label would change its width
         double fraction = 0;
     };
-    void begin(Running now, const Job& job, const QString& what);
-    void take(const JobSlot& slot, double fraction, const QString& text);
+    void begin(Running now, const Job& job);
+    void take(const JobSlot& slot, double fraction, const QString& stage);
     void finish(const JobSlot& slot);
     void showLast();
     [[nodiscard]] static bool isSeen(const QWidget& widget);
