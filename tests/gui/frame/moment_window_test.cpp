@@ -128,6 +128,22 @@ TEST_P(MomentWindow, TheWholePeriodAndTheNightHaveNoShadow) {
     ASSERT_TRUE(waitFor([this] { return window.exploration().answer() != nullptr; }, 20000));
 }
 
+// Where the camera leaves the ground whose shadow is drawn, a coarse shadow of all that is seen comes at
+// once.
+TEST_P(MomentWindow, GroundThatComesIntoSightHasShadow) {
+    if (GetParam()) return;  // rays have no map
+    window.panel().navigator().show({{-20, -20}, {20, 20}});
+    time().setValue(15 * 60);
+    ASSERT_TRUE(waitForShadow());
+    std::vector<int> sizes;
+    QObject::connect(&window.shadow(), &SunShadow::changed, &window.shadow(),
+                     [&] { sizes.push_back(window.shadow().map()->size); });
+    window.panel().navigator().show({{-400, -400}, {400, 400}});
+    ASSERT_TRUE(waitFor([&] { return !sizes.empty(); }));
+    EXPECT_LT(sizes.front(), 4096);
+    ASSERT_TRUE(waitFor([&] { return sizes.back() == 4096; }));
+}
+
 INSTANTIATE_TEST_SUITE_P(ByRays, MomentWindow, ::testing::Values(true));
 INSTANTIATE_TEST_SUITE_P(AsTriangles, MomentWindow, ::testing::Values(false));
 

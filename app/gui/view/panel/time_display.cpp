@@ -34,6 +34,11 @@ QString describeShare(const ShadowField& field) {
     return QObject::tr("%1 % in shadow").arg(formatAmount(100 * share));
 }
 
+bool holds(const Box2& outer, const Box2& box) {
+    return glm::all(glm::lessThanEqual(outer.low, box.low)) &&
+           glm::all(glm::greaterThanEqual(outer.high, box.high));
+}
+
 }  // namespace
 
 TimeDisplay::TimeDisplay(Workbench& workbench, const ModeSwitch& mode, ViewPanel& panel,
@@ -83,7 +88,7 @@ void TimeDisplay::connectView() {
     connect(&panel_.view(), &CityView::tracedChanged, this, &TimeDisplay::showSun);
     connect(&panel_.view(), &CityView::poseChanged, this, &TimeDisplay::freeLabel);
     connect(&panel_.view(), &CityView::poseChanged, this, [this] {
-        if (showsMoment() && !panel_.view().isTraced()) rest_->start();
+        if (showsMoment() && !panel_.view().isTraced()) followCamera();
     });
     connect(&panel_.navigator(), &ViewNavigator::sunDragged, this, &TimeDisplay::turnSun);
 }
@@ -257,6 +262,20 @@ void TimeDisplay::awaitShadow(const std::function<void()>& then) {
 void TimeDisplay::drawShadow() {
     if (showsMoment() && !panel_.time().playing() && sun_.towards.z > lowestSunZ)
         lookFrom(SunView{glm::normalize(sun_.towards), seenSpace(), restingSize});
+}
+
+// Finely where it rests. Ground that comes into sight before has coarse shadow, not none; twice as much of it
+// is drawn as is seen, so that zooming out asks a few times only.
+void TimeDisplay::followCamera() {
+    rest_->start();
+    const auto& drawn = shadow_.view();
+    LitSpace seen = seenSpace();
+    if (!drawn || holds(drawn->space.box, seen.box)) return;
+    const glm::vec2 margin = (seen.box.high - seen.box.low) / 2.0F;
+    const Box2& city = panel_.view().viewBounds().box;
+    seen.box.low = glm::max(seen.box.low - margin, city.low);
+    seen.box.high = glm::min(seen.box.high + margin, city.high);
+    lookFrom(SunView{drawn->towardsSun, seen, movingSize});
 }
 
 void TimeDisplay::lookFrom(const std::optional<SunView>& view) {

@@ -70,6 +70,7 @@ private:
     void show();
     void showSun();
     void drawShadow();
+    void followCamera();
     void awaitShadow(const std::function<void()>& then);
     void lookFrom(const std::optional<SunView>& view);
     [[nodiscard]] LitSpace seenSpace() const;

@@ -32,6 +32,7 @@ public:
     /// The depth map of the newest view that is drawn; null: none, or none yet.
     [[nodiscard]] std::shared_ptr<const SunDepthMap> map() const { return map_; }
     [[nodiscard]] bool busy() const { return slot_.busy(); }
+    [[nodiscard]] const std::optional<SunView>& view() const { return view_; }  ///< of look()
 
 Q_SIGNALS:
     void changed();
