@@ -157,6 +157,7 @@ void EditTools::connectTools() {
     connect(massing_, &MassingPanel::copyRequested, this, &EditTools::copyTower);
     connect(&context_.preview, &EditPreview::hinted, this, &EditTools::hinted);
     connect(&context_.preview, &EditPreview::effectChanged, this, &EditTools::showEffect);
+    connect(&context_.preview, &EditPreview::effectAged, massing_, &MassingPanel::greyEffect);
     connect(&context_.preview, &EditPreview::shapeChanged, this, &EditTools::showStoreys);
     connect(&tower_, &TowerEditing::editsMade, this, made);
     connect(&tower_, &TowerEditing::regionRequested, this, &EditTools::regionRequested);

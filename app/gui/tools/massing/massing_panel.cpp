@@ -268,8 +268,11 @@ void MassingPanel::setChangeShown(bool shown) { change_->setChecked(shown); }
 
 void MassingPanel::showEffect(const QString& words) {
     effect_->setText(words);
+    effect_->setEnabled(true);
     effect_->setVisible(!words.isEmpty());
 }
+
+void MassingPanel::greyEffect() { effect_->setEnabled(false); }
 
 void MassingPanel::showInRegion(InRegion place) {
     beyond_->setText(

@@ -57,6 +57,7 @@ public:
     void setChangeShown(bool shown);   ///< likewise
     /// What the tower changes, in lines; empty: not known.
     void showEffect(const QString& words);
+    void greyEffect();  ///< until showEffect(): the lines are of an earlier shape
     /// Where the tower stands as to the study's region: outside it, it says so and offers to move the region.
     void showInRegion(InRegion place);
     /// `nearest`: what would be possible, which a button takes, and whose field is marked; null: not known.

@@ -288,6 +288,7 @@ void EditPreview::showEffect() {
 }
 
 void EditPreview::showAge() {
+    Q_EMIT effectAged();
     const auto answer = makeLiveAnswer();
     panel_.results().noteLive(
         tr("%1. Shape of %2 s ago").arg(answer.note, groupDigits(live_.ageSeconds(), 1)));
