@@ -7,6 +7,7 @@
 
 #include "core/base/json_number.h"
 #include "core/base/version.h"
+#include "core/describe/field_json.h"
 #include "core/describe/figure_text.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
@@ -144,7 +145,6 @@ void defineShadow(Json& definitions) {
 // What the changes refer to, and the error of each compared city.
 void addComparison(Json& json, const SunByPlace& sun, std::span<const ComparedSun> compared) {
     json["baseline"] = sun.name;
-    json["loss_min"] = sun.settings.lossMin;
     for (const ComparedSun& one : compared)
         json["scenarios"].push_back(
             {{"name", one.sun.name},
@@ -288,11 +288,10 @@ std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared)
     const StudySettings& study = sun.settings.study;
     Json json{{"program", std::string("Noonmark ") + std::string(version())},
               {"period", periodJson(study.period, sun.daylight, makeObserver(sun.city, study))},
-              {"cell_m", study.receivers.cellM},
-              {"small_cell_m", sun.settings.smallCellM},
-              {"enough_hours", sun.settings.enoughHours},
-              {"possible_hours", sun.possibleHours},
-              {"engine", sun.field.engine}};
+              {"cell_m", study.receivers.cellM}};
+    json.update(fieldsJson(sunByPlaceFields().of(sun.settings)));
+    json["possible_hours"] = sun.possibleHours;
+    json["engine"] = sun.field.engine;
     if (!sun.withTrees.empty()) json["engine_trees"] = sun.treesHow;
     json["steps"] = sun.daylight.steps.size();
     json["steps_below_horizon"] = sun.daylight.belowHorizon;
