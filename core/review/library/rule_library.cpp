@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/describe/text.h"
 #include "core/sun/zone_country.h"
 #include "generated/shipped_rules.h"
 
@@ -12,7 +13,7 @@ namespace noonmark {
 namespace {
 
 std::string groupName(const Rule& rule) {
-    if (rule.countries.empty()) return "Any country";
+    if (rule.countries.empty()) return NM_TEXT("Any country");
     return rule.countries.size() == 1 ? countryName(rule.countries.front()) : rule.where;
 }
 
