@@ -153,10 +153,11 @@ public:
     }
 
     [[nodiscard]] AnswerPage page(const LegendChoice& shown) const override {
-        const auto score = inColumn(std::shared_ptr<const Score>(shared(), &content().score), shown.trees);
-        AnswerPage page = makePage(*score, content().scenario, shown.show);
-        if (!content().score.withTrees.empty())
-            page.findings.push_back(nameColumn(columnOf(content().score, shown.trees)));
+        const Score& score = content().score;
+        const ShadedScore* with = findColumn(score, shown.trees);
+        AnswerPage page = with ? makePage(*with, with->months, content().scenario, shown.show)
+                               : makePage(score, score.months, content().scenario, shown.show);
+        if (!score.withTrees.empty()) page.findings.push_back(nameColumn(columnOf(score, shown.trees)));
         return page;
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
@@ -201,7 +202,7 @@ Result<std::shared_ptr<const Answer>> computeWeighed(const Asked& asked, Progres
 }
 
 AnswerPage pageOfSavedScore(const SavedScore& score, const SavedContent& saved, const LegendChoice& shown) {
-    return makePage(score.score, saved.result->scenario, shown.show);
+    return makePage(score.score, score.score.months, saved.result->scenario, shown.show);
 }
 
 void addSavedScore(SavedMapBook& book, const SavedScore& score, const SavedContent&) {
