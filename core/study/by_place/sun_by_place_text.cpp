@@ -116,7 +116,7 @@ Json placeJson(const Stated& stated, std::span<const ComparedSun> compared, std:
     json.update(figuresOf(stated, sun, i));
     json["cell_m"] = sun.sun[i].cellM > 0 ? Json(sun.sun[i].cellM) : Json();
     if (sun.sun[i].status != PlaceStatus::measured)
-        json["without_figures"] = keyOf(noSunChoices(), sun.sun[i].status);
+        json["without_figures"] = keyOf(placeStatusChoices(), sun.sun[i].status);
     for (const PlaceRemark remark : sun.sun[i].remarks)
         json["remarks"].push_back(keyOf(placeRemarkChoices(), remark));
     for (const ComparedSun& one : compared) {
@@ -160,7 +160,7 @@ void addComparison(Json& json, const SunByPlace& sun, std::span<const ComparedSu
         json["definitions"].update(definitionsJson(changeFiguresWithTrees(with.column)));
 }
 
-constexpr std::array noSunList{
+constexpr std::array placeStatusList{
     Choice<PlaceStatus>{PlaceStatus::builtOver, "built_over", NM_TEXT("buildings stand on all of it")},
     Choice<PlaceStatus>{PlaceStatus::betweenCells, "between_cells",
                         NM_TEXT("no cell has its centre on its open ground")},
@@ -185,11 +185,11 @@ std::vector<std::string_view> listRemarks(const SunOfPlace& of) {
     return words;
 }
 
-std::span<const Choice<PlaceStatus>> noSunChoices() { return noSunList; }
+std::span<const Choice<PlaceStatus>> placeStatusChoices() { return placeStatusList; }
 
-std::string_view describe(PlaceStatus why) {
-    for (const Choice<PlaceStatus>& choice : noSunList)
-        if (choice.value == why) return choice.label;
+std::string_view describe(PlaceStatus status) {
+    for (const Choice<PlaceStatus>& choice : placeStatusList)
+        if (choice.value == status) return choice.label;
     return {};
 }
 

@@ -133,7 +133,7 @@ SavedStudy studyOf(const SavedResult& result, const Json& json) {
     const Json saved = json.value("kept", Json::object());
     if (saved.contains("contributions")) study.contributions = contributionsOf(saved.at("contributions"));
     if (saved.contains("tree_contributions"))
-        study.trees = parseTrees(saved.at("tree_contributions"));
+        study.trees = parseTreeContributions(saved.at("tree_contributions"));
     return study;
 }
 
@@ -258,7 +258,7 @@ SunOfPlace sunOfPlace(const Json& json) {
     const Json cell = json.value("cell_m", Json());
     if (cell.is_number()) sun.cellM = cell;
     const std::string why = json.value("without_figures", std::string());
-    sun.status = findChoice(noSunChoices(), why).value_or(PlaceStatus::measured);
+    sun.status = findChoice(placeStatusChoices(), why).value_or(PlaceStatus::measured);
     for (const Json& remark : json.value("remarks", Json::array()))
         if (const auto known = findChoice(placeRemarkChoices(), remark.get<std::string>()))
             sun.remarks.push_back(*known);
