@@ -87,10 +87,11 @@ Result<std::shared_ptr<const Answer>> computeComparison(const Asked& asked, Prog
                            enginesWith(asked.settings.engine));
     if (!study) return tl::make_unexpected(study.error());
     prependWarnings(study->total.warnings, asked.loaded.read.warnings);
-    auto impact = std::make_shared<const ImpactAnswer>(
+    auto impact = std::make_shared<ImpactAnswer>(
         ImpactAnswer{asked.baseline, asked.scenario, settings, *std::move(study), asked.provenance,
                      keepOwnBuildings(asked.loaded.read.city, *asked.before),
                      keepOwnBuildings(*asked.before, asked.loaded.read.city)});
+    impact->beyond = findBeyond(*impact);
     return std::make_shared<ComparisonAnswer>(std::move(impact), watch.seconds());
 }
 
