@@ -87,10 +87,11 @@ Result<std::shared_ptr<const Answer>> computeComparison(const Asked& asked, Prog
                            enginesWith(asked.settings.engine));
     if (!study) return tl::make_unexpected(study.error());
     prependWarnings(study->total.warnings, asked.loaded.read.warnings);
-    auto impact = std::make_shared<const ImpactAnswer>(
+    auto impact = std::make_shared<ImpactAnswer>(
         ImpactAnswer{asked.baseline, asked.scenario, settings, *std::move(study), asked.provenance,
                      keepOwnBuildings(asked.loaded.read.city, *asked.before),
                      keepOwnBuildings(*asked.before, asked.loaded.read.city)});
+    impact->beyond = findBeyond(*impact);
     return std::make_shared<ComparisonAnswer>(std::move(impact), watch.seconds());
 }
 
@@ -153,10 +154,11 @@ public:
     }
 
     [[nodiscard]] AnswerPage page(const LegendChoice& shown) const override {
-        const auto score = inColumn(std::shared_ptr<const Score>(shared(), &content().score), shown.trees);
-        AnswerPage page = makePage(*score, content().scenario, shown.show);
-        if (!content().score.withTrees.empty())
-            page.findings.push_back(nameColumn(columnOf(content().score, shown.trees)));
+        const Score& score = content().score;
+        const ShadedScore* with = findColumn(score, shown.trees);
+        AnswerPage page = with ? makePage(*with, with->months, content().scenario, shown.show)
+                               : makePage(score, score.months, content().scenario, shown.show);
+        if (!score.withTrees.empty()) page.findings.push_back(nameColumn(columnOf(score, shown.trees)));
         return page;
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
@@ -201,7 +203,7 @@ Result<std::shared_ptr<const Answer>> computeWeighed(const Asked& asked, Progres
 }
 
 AnswerPage pageOfSavedScore(const SavedScore& score, const SavedContent& saved, const LegendChoice& shown) {
-    return makePage(score.score, saved.result->scenario, shown.show);
+    return makePage(score.score, score.score.months, saved.result->scenario, shown.show);
 }
 
 void addSavedScore(SavedMapBook& book, const SavedScore& score, const SavedContent&) {

@@ -326,8 +326,8 @@ Result<PlacesInReach> findPlacesInReach(const ReviewQuestion& question, Progress
 
 Result<void> keepPlacesInReach(ReviewQuestion& question, const PlacesInReach& found) {
     if (found.places.empty())
-        return failure("The proposal's shadow reaches no place in the rule's hours", question.rule.name,
-                       "Review all places to have that stated for each");
+        return failure(NM_TEXT("The proposal's shadow reaches no place in the rule's hours"),
+                       question.rule.name, NM_TEXT("Review all places to have that stated for each"));
     std::set<std::string_view> kept;
     for (const Place& place : found.places) kept.insert(place.name);
     for (const Place& place : question.places) {

@@ -1,5 +1,7 @@
 #include "core/receivers/made_names.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <string>
@@ -30,12 +32,27 @@ std::optional<Sentence> match(std::string_view pattern, std::string_view name) {
     return addFirst(name) ? std::optional(found) : std::nullopt;
 }
 
+bool hasDigitsOnly(std::string_view text) {
+    return std::ranges::all_of(text, [](unsigned char letter) { return std::isdigit(letter) != 0; });
+}
+
 bool countsSources(const Sentence& sentence) {
-    return std::ranges::all_of(std::get<std::string>(sentence.arguments[1]),
-                               [](unsigned char letter) { return std::isdigit(letter) != 0; });
+    return hasDigitsOnly(std::get<std::string>(sentence.arguments[1]));
 }
 
 }  // namespace
+
+std::string numberName(std::string_view name, std::size_t number) {
+    return number == 1 ? std::string(name) : fmt::format("{} ({})", name, number);
+}
+
+std::optional<NumberedName> splitNumber(std::string_view name) {
+    const auto open = name.rfind(" (");
+    if (open == name.npos || open == 0 || !name.ends_with(')')) return std::nullopt;
+    const std::string_view number = name.substr(open), digits = number.substr(2, number.size() - 3);
+    if (digits.empty() || !hasDigitsOnly(digits)) return std::nullopt;
+    return NumberedName{name.substr(0, open), number};
+}
 
 std::optional<Sentence> findMadeName(std::string_view name) {
     for (const std::string_view pattern : {madeNames::carriageway, madeNames::sidewalks})

@@ -26,6 +26,16 @@ inline std::string makeName(std::string_view pattern, std::initializer_list<std:
     return fillIn(pattern, {of.begin(), of.size()});
 }
 
+/// "Garden" for 1, "Garden (2)" for 2: the second of that name.
+std::string numberName(std::string_view name, std::size_t number);
+
+struct NumberedName {
+    std::string_view name;    ///< "Garden"
+    std::string_view number;  ///< " (2)"
+};
+/// None: the name has no number.
+std::optional<NumberedName> splitNumber(std::string_view name);
+
 /// A made name as a sentence, whose arguments may be made names, too. None: the name is the data's or the
 /// user's. A name that only reads like a made one is taken for it.
 std::optional<Sentence> findMadeName(std::string_view name);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/safe_text.h"
+#include "core/receivers/made_names.h"
 #include "core/sun/zone_country.h"
 
 namespace noonmark {
@@ -51,8 +52,8 @@ void makeNamesUnique(std::vector<Place>& places) {
     for (Place& place : places) {
         if (place.name.empty()) place.name = fmt::format("{} ({})", nameOf(place.kind), place.source);
         const std::string name = place.name;
-        for (int number = 2; given.contains(place.name); ++number) {
-            const std::string numbered = fmt::format("{} ({})", name, number);
+        for (std::size_t number = 2; given.contains(place.name); ++number) {
+            const std::string numbered = numberName(name, number);
             if (!used.contains(numbered)) place.name = numbered;
         }
         given.insert(place.name);

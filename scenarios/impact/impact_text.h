@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "core/describe/figure_text.h"
 #include "core/measures/legend_choice.h"
 #include "scenarios/impact/impact_figures.h"
+#include "scenarios/impact/proposal_region.h"
 
 namespace noonmark {
 
@@ -19,6 +21,7 @@ struct ImpactAnswer {
     Provenance provenance{};
     City proposal{};  ///< the buildings that only the city after has; empty: not known, or none
     City removed{};   ///< those that only the city before has, likewise
+    std::optional<BeyondRegion> beyond{};  ///< findBeyond() of this answer, once it was found
 };
 
 /// The figures of an impact without its fields, for lists in the window.

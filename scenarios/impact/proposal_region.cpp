@@ -89,24 +89,24 @@ Region makeRegionAround(const std::vector<std::shared_ptr<const Building>>& buil
 }
 
 BeyondRegion findBeyond(const ImpactAnswer& answer) {
+    if (answer.beyond) return *answer.beyond;
     const Region& region = answer.settings.study.region;
     return {findInRegion(answer.proposal.buildings, region),
             changesAtEdge(answer.study.total, region, answer.settings.thresholdsMin.front())};
 }
 
 std::optional<Sentence> describeBeyond(const ImpactAnswer& answer) {
-    const Region& region = answer.settings.study.region;
     const double thresholdMin = answer.settings.thresholdsMin.front();
-    const InRegion proposal = findInRegion(answer.proposal.buildings, region);
-    if (proposal == InRegion::none)
+    const BeyondRegion beyond = findBeyond(answer);
+    if (beyond.proposal == InRegion::none)
         return Sentence{NM_TEXT("What %1 builds stands outside the region: the figures are of the shadow "
                                 "that reaches into it."),
                         {answer.to}};
-    if (proposal == InRegion::part)
+    if (beyond.proposal == InRegion::part)
         return Sentence{NM_TEXT("A part of what %1 builds stands outside the region: the figures are of "
                                 "the shadow in it."),
                         {answer.to}};
-    if (!changesAtEdge(answer.study.total, region, thresholdMin)) return std::nullopt;
+    if (!beyond.changesAtEdge) return std::nullopt;
     return Sentence{
         NM_TEXT("The change by more than %1 a day reaches the region's edge: beyond it is not measured."),
         {Amount{thresholdMin, FigureUnit::minutes}}};

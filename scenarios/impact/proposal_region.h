@@ -29,7 +29,8 @@ struct BeyondRegion {
     InRegion proposal = InRegion::whole;
     bool changesAtEdge = false;  ///< by more than the first threshold beside the edge, and probably beyond
 };
-BeyondRegion findBeyond(const ImpactAnswer& answer);  ///< O(cells)
+/// O(cells), unless the answer holds it.
+BeyondRegion findBeyond(const ImpactAnswer& answer);
 /// The same as a sentence; none: nothing is known to be left out.
 std::optional<Sentence> describeBeyond(const ImpactAnswer& answer);
 

@@ -7,6 +7,7 @@
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/footprints/repair_footprint.h"
 #include "core/city/terrain/building_ground.h"
+#include "core/describe/text.h"
 #include "scenarios/edits/placed_building.h"
 #include "scenarios/massing/copy_massing.h"
 
@@ -34,8 +35,8 @@ Result<Footprint> checkedLot(const Footprint& lot, Ring outer) {
     Footprint changed{std::move(outer), lot.holes};
     if (signedArea(changed.outer) < 0) std::ranges::reverse(changed.outer);
     if (!isSimple(changed))
-        return failure("The sides of the lot would cross or touch each other", {},
-                       "Move the corner or side less far");
+        return failure(NM_TEXT("The sides of the lot would cross or touch each other"), {},
+                       NM_TEXT("Move the corner or side less far"));
     return changed;
 }
 
@@ -81,7 +82,8 @@ Result<Footprint> moveEdge(const Footprint& lot, std::size_t edge, double byM) {
     const auto first = cornersAfter(cornerAt(lot.outer, edge + count - 1), a, b - a, by);
     const auto last = cornersAfter(cornerAt(lot.outer, edge + 2), b, b - a, by);
     if (turnsRound(first, last, b - a))
-        return failure("The sides beside it meet before that", {}, "Move the side less far");
+        return failure(NM_TEXT("The sides beside it meet before that"), {},
+                       NM_TEXT("Move the side less far"));
     Ring outer;
     for (const glm::dvec2 point : first) outer.emplace_back(point);
     for (auto point = last.rbegin(); point != last.rend(); ++point) outer.emplace_back(*point);
@@ -98,7 +100,7 @@ Result<Footprint> insertCorner(const Footprint& lot, std::size_t edge) {
 
 Result<Footprint> removeCorner(const Footprint& lot, std::size_t corner) {
     if (lot.outer.size() <= 3)
-        return failure("A lot needs three corners or more", {}, "Move the corner instead");
+        return failure(NM_TEXT("A lot needs three corners or more"), {}, NM_TEXT("Move the corner instead"));
     Ring outer = lot.outer;
     outer.erase(outer.begin() + std::ptrdiff_t(corner));
     return checkedLot(lot, std::move(outer));

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/base/safe_text.h"
+#include "core/receivers/made_names.h"
 #include "core/receivers/place_names.h"
 #include "scenarios/project/edit_json.h"
 #include "scenarios/project/tables/database.h"
@@ -38,7 +39,7 @@ std::vector<NamedLot> readLots(Database& database) {
         const auto roads = parseRoads(row.text(3));
         if (!roads) throwDamaged(fmt::format("lot {}: {}", name, roads.error().text()));
         for (std::size_t i = 0; i < polygons->size(); ++i)
-            lots.push_back({i == 0 ? name : fmt::format("{} ({})", name, i + 1), (*polygons)[i], *roads});
+            lots.push_back({numberName(name, i + 1), (*polygons)[i], *roads});
     }
     return lots;
 }

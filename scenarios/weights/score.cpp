@@ -324,19 +324,23 @@ Result<Score> runScore(const City& city, const StudySettings& settings, const Ti
         [&] { return placeAndScore(city, settings, weights, progress, stop, engines); });
 }
 
+const ShadedScore* findColumn(const Score& score, TreeColumns column) {
+    const auto with = std::ranges::find(score.withTrees, column, &ShadedScore::column);
+    return with == score.withTrees.end() || with->score.empty() ? nullptr : &*with;
+}
+
 TreeColumns columnOf(const Score& score, TreeColumns wanted) {
-    const auto with = std::ranges::find(score.withTrees, wanted, &ShadedScore::column);
-    return with == score.withTrees.end() || with->score.empty() ? TreeColumns::without : wanted;
+    return findColumn(score, wanted) ? wanted : TreeColumns::without;
 }
 
 const std::vector<float>& scoreInColumn(const Score& score, TreeColumns column) {
-    if (columnOf(score, column) == TreeColumns::without) return score.score;
-    return std::ranges::find(score.withTrees, column, &ShadedScore::column)->score;
+    const ShadedScore* with = findColumn(score, column);
+    return with ? with->score : score.score;
 }
 
-std::shared_ptr<const Score> inColumn(const std::shared_ptr<const Score>& score, TreeColumns column) {
-    if (columnOf(*score, column) == TreeColumns::without) return score;
-    const auto with = std::ranges::find(score->withTrees, column, &ShadedScore::column);
+std::shared_ptr<const Score> showColumn(const std::shared_ptr<const Score>& score, TreeColumns column) {
+    const ShadedScore* with = findColumn(*score, column);
+    if (!with) return score;
     auto made = std::make_shared<Score>(*score);
     static_cast<ScoreTotals&>(*made) = *with;
     made->score = with->score;

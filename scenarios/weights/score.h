@@ -78,13 +78,15 @@ struct Score : ScoreTotals {
     Warnings warnings;
 };
 
+/// Null: without trees, or the score has no map of that column.
+const ShadedScore* findColumn(const Score& score, TreeColumns column);
 /// The column that is shown where `wanted` is chosen: without trees where the score has no map of it.
 TreeColumns columnOf(const Score& score, TreeColumns wanted);
 /// The map of that column. Valid as long as the score.
 const std::vector<float>& scoreInColumn(const Score& score, TreeColumns column);
-/// The score of one column in place of that without trees, and no columns besides; itself where it has no map
-/// of that column. Its errors are those without trees and left out.
-std::shared_ptr<const Score> inColumn(const std::shared_ptr<const Score>& score, TreeColumns column);
+/// The score as shown in one column, in place of that without trees, and no columns besides; itself where it
+/// has no map of that column. Its errors are those without trees and left out.
+std::shared_ptr<const Score> showColumn(const std::shared_ptr<const Score>& score, TreeColumns column);
 
 /// Computes the score over given steps. `zone`: time zone of their wall clock. The horizon sweep and
 /// projected shadows process the city once for all months and intervals, at the cost of one field. Any other

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <span>
 
 #include "core/describe/command_options.h"
 #include "core/describe/figure_text.h"
@@ -135,7 +136,7 @@ std::vector<FigureLine> listScoreLines(const Score& score) {
 
 namespace {
 
-Sentence describeBalance(const Score& score, const std::string& scenario) {
+Sentence describeBalance(const ScoreTotals& score, const std::string& scenario) {
     const Amount total{score.scoreM2, FigureUnit::squareMetres, 0, true};
     if (score.scoreM2 > 0)
         return {NM_TEXT("%1 scores %2: wanted shade outweighs unwanted shadow"), {scenario, total}};
@@ -144,24 +145,24 @@ Sentence describeBalance(const Score& score, const std::string& scenario) {
     return {NM_TEXT("%1 scores 0: wanted shade and unwanted shadow weigh the same"), {scenario}};
 }
 
-Bars monthBars(const Score& score, std::string_view title, double MonthFigures::*value) {
+Bars monthBars(std::span<const MonthFigures> months, std::string_view title, double MonthFigures::*value) {
     Bars bars{.title = title};
-    for (const MonthFigures& month : score.months) bars.groups.push_back({month.month, {month.*value}});
+    for (const MonthFigures& month : months) bars.groups.push_back({month.month, {month.*value}});
     return bars;
 }
 
-Bars weightedBars(const Score& score) {
-    Bars bars = monthBars(score, NM_TEXT("Weighted shade by month, m² h"), &MonthFigures::weightedShadeM2h);
+Bars weightedBars(std::span<const MonthFigures> months) {
+    Bars bars = monthBars(months, NM_TEXT("Weighted shade by month, m² h"), &MonthFigures::weightedShadeM2h);
     for (Bars::Group& group : bars.groups)
         group.tone = group.values.front() < 0 ? BarTone::loss : BarTone::gain;
     return bars;
 }
 
 // Where sun is shown, the rest of the receivers' area.
-Bars areaBars(const Score& score, ShownAs show) {
+Bars areaBars(const ScoreTotals& score, std::span<const MonthFigures> months, ShownAs show) {
     if (show == ShownAs::shadow)
-        return monthBars(score, NM_TEXT("Shadow area by month, m²"), &MonthFigures::shadowAreaM2);
-    Bars bars = monthBars(score, NM_TEXT("Sunlit area by month, m²"), &MonthFigures::shadowAreaM2);
+        return monthBars(months, NM_TEXT("Shadow area by month, m²"), &MonthFigures::shadowAreaM2);
+    Bars bars = monthBars(months, NM_TEXT("Sunlit area by month, m²"), &MonthFigures::shadowAreaM2);
     for (Bars::Group& group : bars.groups) {
         group.values.front() = score.receiverAreaM2 - group.values.front();
         group.tone = BarTone::sun;
@@ -171,12 +172,13 @@ Bars areaBars(const Score& score, ShownAs show) {
 
 }  // namespace
 
-AnswerPage makePage(const Score& score, const std::string& scenario, ShownAs show) {
+AnswerPage makePage(const ScoreTotals& score, std::span<const MonthFigures> months,
+                    const std::string& scenario, ShownAs show) {
     AnswerPage page{describeBalance(score, scenario)};
     if (!std::isnan(score.weightedShadeM2h))
         page.findings.push_back({NM_TEXT("Weighted by time: %1."),
                                  {Amount{score.weightedShadeM2h, FigureUnit::squareMetreHours, 0, true}}});
-    page.charts = {weightedBars(score), areaBars(score, show)};
+    page.charts = {weightedBars(months), areaBars(score, months, show)};
     return page;
 }
 

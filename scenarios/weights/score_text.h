@@ -23,8 +23,10 @@ std::span<const Figure> scoreIntervalFiguresWithTrees(TreeColumns column);
 /// The totals for people: without trees, then with them.
 std::vector<FigureLine> listScoreLines(const Score& score);
 
-/// The page of a score: whether wanted shade outweighs unwanted shadow, and both by month.
-AnswerPage makePage(const Score& score, const std::string& scenario, ShownAs show = ShownAs::shadow);
+/// The page of a score, or of one of its columns: whether wanted shade outweighs unwanted shadow, and both by
+/// month.
+AnswerPage makePage(const ScoreTotals& score, std::span<const MonthFigures> months,
+                    const std::string& scenario, ShownAs show = ShownAs::shadow);
 
 /// A score with its settings.
 struct ScoreAnswer {

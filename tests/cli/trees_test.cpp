@@ -352,7 +352,6 @@ TEST_F(TreesOfAProject, APointStatesTheSkyThatTreesLeave) {
     ASSERT_EQ(all.size(), 3U) << "the point, the existing city and the scenario";
     for (std::size_t i = 0; i < all.size(); ++i) {
         const nlohmann::json& of = all[i];
-        if (i == 2 && !of.contains("svf_seasonal")) continue;  // the scenario fells what the point sees
         for (const std::string key : {"svf", "vsc_pct"}) {
             EXPECT_GE(of.at(key + "_evergreen"), 0) << i << key;
             EXPECT_LE(of.at(key + "_evergreen"), of.at(key + "_seasonal")) << i << key;

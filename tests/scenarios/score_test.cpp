@@ -414,13 +414,13 @@ TEST(Score, FilesAndSavedResultsStateTheColumnsOfTrees) {
     EXPECT_EQ(read.withTrees[0].months[0].sunlitMinutes, answer.score.months[0].sunlitMinutes);
 
     const auto all = std::make_shared<const Score>(answer.score);
-    const auto shown = inColumn(all, TreeColumns::seasonal);
+    const auto shown = showColumn(all, TreeColumns::seasonal);
     EXPECT_EQ(shown->scoreM2, answer.score.withTrees[1].scoreM2);
     EXPECT_THAT(shown->score,
                 testing::Pointwise(testing::NanSensitiveFloatEq(), answer.score.withTrees[1].score));
     EXPECT_EQ(shown->intervals[0].scoreM2, answer.score.withTrees[1].intervals[0].scoreM2);
     EXPECT_THAT(shown->withTrees, testing::IsEmpty());
-    EXPECT_EQ(inColumn(all, TreeColumns::without), all);
+    EXPECT_EQ(showColumn(all, TreeColumns::without), all);
 
     settings.trees = TreeColumns::seasonal;
     const Score one = runScore(townWithLime(), settings, answer.weights, progress, {}).value();

@@ -57,6 +57,7 @@ inline Value otherValue(const Field& field, const Value& value) {
             if (field.key == "extent") return std::vector{12.5, 41.25, 12.75, 41.5};
             return std::vector{12.5, 41.25};
         case ValueKind::texts:
+            if (field.key == "dates") return std::vector<std::string>{"2026-12-21", "2026-06-21"};
             return std::vector<std::string>{"one", "another"};
         case ValueKind::namedNumbers:
             return NamedNumbers{{"levels", 3}};

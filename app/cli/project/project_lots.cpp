@@ -10,6 +10,7 @@
 #include "core/io/footprints/read_parcels.h"
 #include "core/io/formats/format.h"
 #include "core/io/read_region.h"
+#include "core/receivers/made_names.h"
 #include "scenarios/edits/apply_edits.h"
 #include "scenarios/massing/lot_edits.h"
 #include "scenarios/scenario.h"
@@ -60,7 +61,7 @@ Result<std::string> addLots(Project& project, const std::string& name,
                             const std::vector<Footprint>& outlines) {
     std::string words;
     for (std::size_t i = 0; i < outlines.size(); ++i) {
-        const NamedLot lot{i == 0 ? name : fmt::format("{} ({})", name, i + 1), outlines[i]};
+        const NamedLot lot{numberName(name, i + 1), outlines[i]};
         if (findLot(project, lot.name))
             return failure("The project already has a lot of this name", lot.name,
                            "Choose another name, or remove that one: noonmark-cli project lot remove");

@@ -11,6 +11,7 @@
 #include "core/base/safe_text.h"
 #include "core/city/trees/tree.h"
 #include "core/io/read_region.h"
+#include "core/receivers/made_names.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
@@ -54,8 +55,7 @@ Result<void> addLots(Project& project, const std::vector<std::string>& texts) {
         const auto place = placeFrom(text, project.city->frame);
         if (!place) return tl::make_unexpected(place.error());
         for (std::size_t i = 0; i < place->polygons.size(); ++i)
-            project.lots.push_back(
-                {i == 0 ? place->name : fmt::format("{} ({})", place->name, i + 1), place->polygons[i]});
+            project.lots.push_back({numberName(place->name, i + 1), place->polygons[i]});
     }
     return {};
 }

@@ -95,7 +95,8 @@ void printRules(const RuleLibrary& library, const std::string& site, std::ostrea
             out << fmt::format("  {:<{}}  {}  {}\n", rule->key, width,
                                ruleNameOf(figureStatusNames(), findLeastCertain(*rule)), rule->name);
     }
-    out << "\nThe letter is that of the least sure figure a verdict rests on. V: read in the rule's text or "
+    out << "\nThe letter is that of the least certain figure that a verdict rests on. V: read in the rule's "
+           "text or "
            "on an "
            "official page; R: reported by practice; U: not checked against the rule's text.\n";
     for (const WarningGroup& group : groupWarnings(library.warnings())) out << lineOf(group) << '\n';

@@ -3,7 +3,8 @@
 // The main window. Workbench (app/gui/session) owns the open project, its city and the results, and runs the
 // long jobs; it knows no widgets. MainWindow is the frame: it creates the view, the docks (window_layout),
 // the menus (window_menus) and the objects that do the work, and connects them. What a menu entry does is in
-// actions. WindowView is what a project saves of the window.
+// actions. window_connections.cpp connects the objects, window_project.cpp shows a project and saves the
+// state of the window with it; WindowView is what a project saves of the view.
 
 #include <QMainWindow>
 #include <QSettings>

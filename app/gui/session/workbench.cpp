@@ -55,8 +55,9 @@ void Workbench::open(const QStringList& files, const ReadSettings& reading) {
 // Refuses to replace changes made since `version`: the user was not asked about them.
 void Workbench::adoptProject(Result<OpenProject> opened, int version) {
     if (opened && session_.version() != version && session_.hasUnsavedWork())
-        opened = failure("The file was not opened: the project was changed while it was read", {},
-                         "Save or undo the change, then open the file again");
+        opened = failure(
+            QT_TRANSLATE_NOOP("Error", "The file was not opened: the project was changed while it was read"),
+            {}, QT_TRANSLATE_NOOP("Error", "Save or undo the change, then open the file again"));
     if (!opened) return Q_EMIT openFailed(opened.error());
     city_ = std::make_shared<const OpenCity>(std::move(opened->city));
     openedView_ = std::move(opened->view);

@@ -9,6 +9,7 @@
 #include "app/input/load_project.h"
 #include "app/questions/saved_question.h"
 #include "core/base/progress.h"
+#include "core/receivers/made_names.h"
 #include "core/receivers/place_names.h"
 #include "scenarios/scenario.h"
 
@@ -77,7 +78,7 @@ void Workbench::runAgain() {
 }
 
 void Workbench::ask(const Question& question, const std::string& weights) {
-    if (!city_) return report({"No city is open", {}, "Open a file or a sample first"});
+    if (!city_) return report(noCityError());
     again_ = false;
     const Start start = [this, &question, weights] { askNow(question, weights); };
     question.ofPoints ? startPoints(start) : startUnlessLong(question.fields, start);
@@ -197,7 +198,7 @@ void Workbench::compareAnyScenario() {
 }
 
 void Workbench::runByPlace(std::vector<Place> places, const SunByPlaceSettings& settings, bool allScenarios) {
-    if (!city_) return report({"No city is open", {}, "Open a file or a sample first"});
+    if (!city_) return report(noCityError());
     auto asked = makeAsked(byPlaceQuestion(), {});
     if (!asked) return report(asked.error());
     again_ = false;
@@ -455,7 +456,7 @@ std::string Workbench::freeMeasuredName(const std::string& name) const {
                findResult(session_.project(), one);
     };
     std::string free = name;
-    for (int number = 2; isTaken(free); ++number) free = name + " (" + std::to_string(number) + ")";
+    for (std::size_t number = 2; isTaken(free); ++number) free = numberName(name, number);
     return free;
 }
 

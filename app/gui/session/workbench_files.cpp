@@ -172,7 +172,9 @@ void Workbench::exportShown(const std::filesystem::path& folder, const ExportCho
     const bool place = choice.subject == Subject::place && study_ && placeShown();
     const bool table = choice.subject == Subject::table && hasScenarioAnswers();
     if (!scenarios && !place && !table && !answer())
-        return report({"There is no result to export", {}, "Press Run first"});
+        return report({QT_TRANSLATE_NOOP("Error", "There is no result to export"),
+                       {},
+                       QT_TRANSLATE_NOOP("Error", "Press Run first")});
     writing_.start<WrittenPaths>(
         tr("Exporting"),
         [write = scenarios ? scenariosToWrite(choice)
@@ -198,7 +200,10 @@ void Workbench::exportShown(const std::filesystem::path& folder, const ExportCho
 }
 
 void Workbench::findCommand(const AnswerFiles& drawn) {
-    if (!answer()) return report({"There is no result", {}, "Press Run first"});
+    if (!answer())
+        return report({QT_TRANSLATE_NOOP("Error", "There is no result"),
+                       {},
+                       QT_TRANSLATE_NOOP("Error", "Press Run first")});
     writing_.start<std::string>(
         tr("Finding the command"),
         [answer = answer(), drawn, origin = AnswerOrigin(session_)](Progress&, const std::stop_token&) {
@@ -214,9 +219,15 @@ void Workbench::findCommand(const AnswerFiles& drawn) {
 
 void Workbench::saveAnswer(const QString& name) {
     if (const std::string saved = savedName(); !saved.empty())
-        return report({"This result is already saved", saved, {}});
-    if (saving_.busy()) return report({"Another result is being saved", {}, "Wait until it is saved"});
-    if (!answer()) return report({"There is no result to save", {}, "Press Run first"});
+        return report({QT_TRANSLATE_NOOP("Error", "This result is already saved"), saved, {}});
+    if (saving_.busy())
+        return report({QT_TRANSLATE_NOOP("Error", "Another result is being saved"),
+                       {},
+                       QT_TRANSLATE_NOOP("Error", "Wait until it is saved")});
+    if (!answer())
+        return report({QT_TRANSLATE_NOOP("Error", "There is no result to save"),
+                       {},
+                       QT_TRANSLATE_NOOP("Error", "Press Run first")});
     saving_.start<SavedResult>(
         tr("Saving %1").arg(name),
         [answer = answer(), origin = AnswerOrigin(session_), project = session_.project()](

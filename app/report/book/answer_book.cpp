@@ -348,7 +348,7 @@ Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const 
     const Sheet sheet = makeSheet(answer, source, legend);
     Book book = beginAnswerBook(settings, sheet, answer.provenance.attribution);
     const auto shown =
-        inColumn(std::shared_ptr<const Score>(std::shared_ptr<void>(), &answer.score), legend.trees);
+        showColumn(std::shared_ptr<const Score>(std::shared_ptr<void>(), &answer.score), legend.trees);
     if (!shown->months.empty())
         book.pages.push_back(nameColumn(monthPage(*shown, settings, legend.show), answer.score, legend));
     for (BookPage& page : intervalPages(*shown, answer.weights.name, settings, legend.show))

@@ -24,12 +24,17 @@ bool needsRegionFile(const ElementStudy& study) {
     return (known.empty() ? formatRegion(study.settings.region, study.city) : known) == regionFileName;
 }
 
+// `shown`: the column that the legend names, if the map has it.
+LayerStyle styleShown(const ElementMap& map, const std::optional<ElementMap>& shown,
+                      const LegendChoice& legend) {
+    return makeStyle(coloursOf(makeLegend(shown ? *shown : map, ShadowMeasure::gross, legend)),
+                     shown ? suffixOf(legend.trees) : std::string());
+}
+
 }  // namespace
 
 LayerStyle styleColumn(const ElementMap& map, const LegendChoice& legend) {
-    const auto shown = inColumn(map, legend.trees);
-    return makeStyle(coloursOf(makeLegend(shown ? *shown : map, ShadowMeasure::gross, legend)),
-                     shown ? suffixOf(legend.trees) : std::string());
+    return styleShown(map, inColumn(map, legend.trees), legend);
 }
 
 std::vector<std::string> elementFileNames(ElementPlaces places) {
@@ -50,7 +55,7 @@ Result<std::vector<std::filesystem::path>> writeElementFiles(const ElementStudy&
     if (auto may = checkOutputs(folder, names, rules); !may) return tl::make_unexpected(may.error());
     const ElementTable table = makeElementTable(map, study.city, sourceValues(study.provenance));
     const auto shown = inColumn(map, settings.legend.trees);
-    const LayerStyle style = styleColumn(map, settings.legend);
+    const LayerStyle style = styleShown(map, shown, settings.legend);
     QByteArray pdf;
     if (hasElevations(study.elements.places)) {
         auto printed = printBook(makeElementBook(study, shown ? *shown : map, settings));

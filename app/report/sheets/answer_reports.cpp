@@ -238,7 +238,7 @@ std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource&
 SheetMap makeScoreMap(const Score& score, const City& city, const Region& region,
                       const LegendChoice& choice) {
     const std::shared_ptr<const Score> all(std::shared_ptr<void>(), &score);
-    const std::shared_ptr<const Score> shown = inColumn(all, choice.trees);
+    const std::shared_ptr<const Score> shown = showColumn(all, choice.trees);
     Legend legend = makeLegend(*shown, choice);
     if (!score.withTrees.empty()) nameTrees(legend, columnOf(score, choice.trees));
     return {{city, region, shown->grid,

@@ -245,15 +245,15 @@ private:
 
     // By the engine in use, and by those that it goes on to while samples are off by more than it aims at.
     Result<void> sweepMonths() {
-        CitySweeps sweeps(m_.off.empty() ? engineOf(0) : m_.engine, m_.cities, receivers_, m_.daylight,
+        CitySweeps sweeps(m_.missed.empty() ? engineOf(0) : m_.engine, m_.cities, receivers_, m_.daylight,
                           m_.months);
-        for (const SampledDeviation& off : m_.off) sweeps.switchToMoreExact(off);
+        for (const SampledDeviation& off : m_.missed) sweeps.switchToMoreExact(off);
         for (;;) {
             auto first = sweepFirst(sweeps);
             if (!first) return tl::make_unexpected(first.error());
             const auto& error = m_.made.front().error;
             if (isMain_ && error && sweeps.switchToMoreExact(error->grossOff())) {
-                m_.off.push_back(error->grossOff());
+                m_.missed.push_back(error->grossOff());
                 --done_;  // the same again
                 continue;
             }

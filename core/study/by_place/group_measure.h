@@ -84,8 +84,8 @@ struct Measuring {
     Stopwatch watch{};
     /// For the cells of all places, over the period and on each date. Small places are measured by the same.
     std::vector<ChosenEngine> chosen{};
-    std::vector<SampledDeviation> off{};   ///< samples after which the engine was changed for a closer one
-    std::vector<ComparedSets> compared{};  ///< the period in the cities sampled so far
+    std::vector<SampledDeviation> missed{};       ///< samples after which a more exact engine took over
+    std::vector<ComparedSets> compared{};         ///< the period in the cities sampled so far
     std::vector<std::vector<double>> smallOff{};  ///< of each city: how far means of small places are off
     bool hasTrees = false;                        ///< some city has trees, and they are wanted
     bool treesReached = false;                    ///< and one has reached a place

@@ -10,6 +10,7 @@
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
 #include "core/city/trees/tree.h"
+#include "core/describe/field_values.h"
 #include "core/describe/text.h"
 #include "core/engines/shade_trees.h"
 #include "core/study/by_place/group_measure.h"
@@ -27,20 +28,10 @@ Result<void> checkSettings(const SunByPlaceSettings& settings, const std::vector
     if (places.empty())
         return failure("There is no place to measure", "places",
                        "Choose other kinds of places, or read a file of places");
-    if (!(settings.enoughHours >= 0 && settings.enoughHours <= SunByPlaceSettings::maxHours))
-        return failure("The hours of sun that are enough must be 0 to 24",
-                       fmt::format("{:g} h", settings.enoughHours), "Give hours a day");
-    if (!(settings.lossMin >= 0 && settings.lossMin <= SunByPlaceSettings::maxLossMin))
-        return failure("The minutes of sun that may be lost must be 0 to 1440",
-                       fmt::format("{:g} min", settings.lossMin), "Give minutes a day");
+    if (auto valid = checkRanges(sunByPlaceFields().of(settings)); !valid) return valid;
     if (settings.dates.size() > SunByPlaceSettings::maxDates)
         return failure("There are too many dates", fmt::format("{} dates", settings.dates.size()),
                        fmt::format("Give at most {}", SunByPlaceSettings::maxDates));
-    const double smallM = settings.smallCellM;
-    if (!(smallM >= ReceiverSettings::minCellM && smallM <= ReceiverSettings::maxCellM))
-        return failure(fmt::format("The cells of small places must be {:g} to {:g} m",
-                                   ReceiverSettings::minCellM, ReceiverSettings::maxCellM),
-                       fmt::format("{:g} m", smallM), "Give metres");
     return validate(settings.study.period).map([](const auto&) {});
 }
 

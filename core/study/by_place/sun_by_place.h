@@ -68,9 +68,9 @@ enum class PlaceStatus {
     betweenCells,  ///< no cell has its centre on its open ground
 };
 /// With the keys of JSON; none for measured.
-std::span<const Choice<PlaceStatus>> noSunChoices();
+std::span<const Choice<PlaceStatus>> placeStatusChoices();
 /// Their label; empty where it is measured.
-std::string_view describe(PlaceStatus why);
+std::string_view describe(PlaceStatus status);
 
 /// What to know about the figures of a place.
 enum class PlaceRemark {
@@ -125,7 +125,7 @@ struct SampledShares {
         double share = 0;                     ///< of the place's sampled cells; their sum is 1
     };
     std::string key;  ///< of the error: "place_enough"
-    std::string of;   ///< of the error: a date, a column with trees
+    std::string of;   ///< of the error: a date, a column of trees
     std::vector<std::vector<Cell>> places;
 };
 

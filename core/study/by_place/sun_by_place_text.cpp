@@ -7,6 +7,7 @@
 
 #include "core/base/json_number.h"
 #include "core/base/version.h"
+#include "core/describe/field_json.h"
 #include "core/describe/figure_text.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
@@ -115,7 +116,7 @@ Json placeJson(const Stated& stated, std::span<const ComparedSun> compared, std:
     json.update(figuresOf(stated, sun, i));
     json["cell_m"] = sun.sun[i].cellM > 0 ? Json(sun.sun[i].cellM) : Json();
     if (sun.sun[i].status != PlaceStatus::measured)
-        json["without_figures"] = keyOf(noSunChoices(), sun.sun[i].status);
+        json["without_figures"] = keyOf(placeStatusChoices(), sun.sun[i].status);
     for (const PlaceRemark remark : sun.sun[i].remarks)
         json["remarks"].push_back(keyOf(placeRemarkChoices(), remark));
     for (const ComparedSun& one : compared) {
@@ -144,7 +145,6 @@ void defineShadow(Json& definitions) {
 // What the changes refer to, and the error of each compared city.
 void addComparison(Json& json, const SunByPlace& sun, std::span<const ComparedSun> compared) {
     json["baseline"] = sun.name;
-    json["loss_min"] = sun.settings.lossMin;
     for (const ComparedSun& one : compared)
         json["scenarios"].push_back(
             {{"name", one.sun.name},
@@ -160,7 +160,7 @@ void addComparison(Json& json, const SunByPlace& sun, std::span<const ComparedSu
         json["definitions"].update(definitionsJson(changeFiguresWithTrees(with.column)));
 }
 
-constexpr std::array noSunList{
+constexpr std::array placeStatusList{
     Choice<PlaceStatus>{PlaceStatus::builtOver, "built_over", NM_TEXT("buildings stand on all of it")},
     Choice<PlaceStatus>{PlaceStatus::betweenCells, "between_cells",
                         NM_TEXT("no cell has its centre on its open ground")},
@@ -185,11 +185,11 @@ std::vector<std::string_view> listRemarks(const SunOfPlace& of) {
     return words;
 }
 
-std::span<const Choice<PlaceStatus>> noSunChoices() { return noSunList; }
+std::span<const Choice<PlaceStatus>> placeStatusChoices() { return placeStatusList; }
 
-std::string_view describe(PlaceStatus why) {
-    for (const Choice<PlaceStatus>& choice : noSunList)
-        if (choice.value == why) return choice.label;
+std::string_view describe(PlaceStatus status) {
+    for (const Choice<PlaceStatus>& choice : placeStatusList)
+        if (choice.value == status) return choice.label;
     return {};
 }
 
@@ -288,11 +288,10 @@ std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared)
     const StudySettings& study = sun.settings.study;
     Json json{{"program", std::string("Noonmark ") + std::string(version())},
               {"period", periodJson(study.period, sun.daylight, makeObserver(sun.city, study))},
-              {"cell_m", study.receivers.cellM},
-              {"small_cell_m", sun.settings.smallCellM},
-              {"enough_hours", sun.settings.enoughHours},
-              {"possible_hours", sun.possibleHours},
-              {"engine", sun.field.engine}};
+              {"cell_m", study.receivers.cellM}};
+    json.update(fieldsJson(sunByPlaceFields().of(sun.settings)));
+    json["possible_hours"] = sun.possibleHours;
+    json["engine"] = sun.field.engine;
     if (!sun.withTrees.empty()) json["engine_trees"] = sun.treesHow;
     json["steps"] = sun.daylight.steps.size();
     json["steps_below_horizon"] = sun.daylight.belowHorizon;

@@ -353,7 +353,7 @@ std::optional<Contribution> parseTree(const Json& json, TreeColumns column) {
 
 }  // namespace
 
-nlohmann::ordered_json treesJson(const std::vector<TreeContribution>& trees) {
+nlohmann::ordered_json treeContributionsJson(const std::vector<TreeContribution>& trees) {
     Json json = Json::array();
     for (const TreeContribution& tree : trees) {
         const Contribution& first = tree.columns.front().second;
@@ -366,7 +366,7 @@ nlohmann::ordered_json treesJson(const std::vector<TreeContribution>& trees) {
     return json;
 }
 
-std::vector<TreeContribution> parseTrees(const nlohmann::ordered_json& json) {
+std::vector<TreeContribution> parseTreeContributions(const nlohmann::ordered_json& json) {
     std::vector<TreeContribution> trees;
     for (const Json& of : json) {
         TreeContribution tree;
@@ -410,7 +410,7 @@ std::string withContributions(std::string json, const std::vector<ContributionTa
                                    {"cells", of.cells},
                                    {"sunlit_min_per_day", of.sunlitMinutesPerDay},
                                    {"buildings", rowsJson(of.rows)}});
-        if (!of.trees.empty()) answer[keptKey].back()["trees"] = treesJson(of.trees);
+        if (!of.trees.empty()) answer[keptKey].back()["trees"] = treeContributionsJson(of.trees);
     }
     return toJsonText(answer);
 }
@@ -426,7 +426,7 @@ std::vector<ContributionTable> parseContributions(const Json& answer) {
                        .sunlitMinutesPerDay = of.at("sunlit_min_per_day"),
                        .months = of.value("months", std::vector<std::string>()),
                        .rows = parseRows(of.at("buildings")),
-                       .trees = parseTrees(of.value("trees", Json::array()))});
+                       .trees = parseTreeContributions(of.value("trees", Json::array()))});
     return all;
 }
 

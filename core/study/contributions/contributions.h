@@ -4,6 +4,7 @@
 // with their figures, place_contributions.h finds them for one place of a study.
 
 #include <array>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -78,6 +79,10 @@ std::span<const Figure> contributionFiguresWithTrees(TreeColumns column);
 std::string treeContributionsCsv(const std::vector<TreeContribution>& rows, const City& city,
                                  const Provenance& provenance);
 inline constexpr const char* treeContributionsFile = "tree_contributions.csv";
+/// As saved answers hold them: source_id, species and a key for each figure and column ("share_seasonal").
+nlohmann::ordered_json treeContributionsJson(const std::vector<TreeContribution>& trees);
+/// Of that, without indices of trees; throws nlohmann's exceptions for JSON of another structure.
+std::vector<TreeContribution> parseTreeContributions(const nlohmann::ordered_json& json);
 
 /// The figures as columns of the layer of buildings; 0 where a building shades nothing.
 std::vector<BuildingColumn> contributionColumns(const std::vector<Contribution>& rows, std::size_t buildings);

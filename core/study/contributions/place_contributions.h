@@ -60,12 +60,6 @@ ContributionTable makeContributionTable(const PlaceContributions& of);
 /// Replaces an earlier one of the same place and period.
 std::vector<ContributionTable> withContributions(std::vector<ContributionTable> all, ContributionTable more);
 
-/// Trees as saved answers hold them: source_id, species and a key for each figure and column
-/// ("share_seasonal").
-nlohmann::ordered_json treesJson(const std::vector<TreeContribution>& trees);
-/// Of that, without indices of trees; throws nlohmann's exceptions for JSON of another structure.
-std::vector<TreeContribution> parseTrees(const nlohmann::ordered_json& json);
-
 /// The JSON of an answer with a member `contributions_of_places`; without any it stays as it is.
 std::string withContributions(std::string json, const std::vector<ContributionTable>& all);
 /// Of an answer's JSON; throws nlohmann's exceptions for JSON of another structure.

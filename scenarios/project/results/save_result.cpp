@@ -135,7 +135,7 @@ SavedResult makeSavedResult(const Project& project, const std::string& scenario,
     Json origin = originJson(at, hashCity(study.city), study.settings);
     if (Json contributions = contributionsJson(study); !contributions.is_null())
         origin["contributions"] = std::move(contributions);
-    if (study.byTree) origin["tree_contributions"] = treesJson(listTreeContributions(study));
+    if (study.byTree) origin["tree_contributions"] = treeContributionsJson(listTreeContributions(study));
     return {{},
             "study",
             scenario,

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/json_number.h"
+#include "core/describe/field_json.h"
 #include "core/describe/figure_text.h"
 #include "core/engines/api/engine_registry.h"
 #include "core/engines/api/tree_shade.h"
@@ -131,7 +132,8 @@ SavedStudy studyOf(const SavedResult& result, const Json& json) {
     study.months = parseMonths(json.value("by_month", Json::array()));
     const Json saved = json.value("kept", Json::object());
     if (saved.contains("contributions")) study.contributions = contributionsOf(saved.at("contributions"));
-    if (saved.contains("tree_contributions")) study.trees = parseTrees(saved.at("tree_contributions"));
+    if (saved.contains("tree_contributions"))
+        study.trees = parseTreeContributions(saved.at("tree_contributions"));
     return study;
 }
 
@@ -256,7 +258,7 @@ SunOfPlace sunOfPlace(const Json& json) {
     const Json cell = json.value("cell_m", Json());
     if (cell.is_number()) sun.cellM = cell;
     const std::string why = json.value("without_figures", std::string());
-    sun.status = findChoice(noSunChoices(), why).value_or(PlaceStatus::measured);
+    sun.status = findChoice(placeStatusChoices(), why).value_or(PlaceStatus::measured);
     for (const Json& remark : json.value("remarks", Json::array()))
         if (const auto known = findChoice(placeRemarkChoices(), remark.get<std::string>()))
             sun.remarks.push_back(*known);
@@ -274,11 +276,21 @@ SunSteps daylightOf(const Json& json) {
     return sun;
 }
 
-// What the figures of all cities have in common: their places, dates and threshold.
+// As the figures have them, which state a date once that was asked twice; answers of earlier versions state
+// them there alone.
+std::vector<CivilDate> datesOf(const Json& place) {
+    std::vector<CivilDate> dates;
+    const Json shares = place.value("share_below", Json::object());
+    for (const auto& share : shares.items())
+        if (const auto day = parseDate(share.key())) dates.push_back(*day);
+    return dates;
+}
+
+// What the figures of all cities have in common: their settings, places and dates.
 SunByPlace sunWithoutFigures(const Json& json) {
     SunByPlace sun;
-    sun.settings.enoughHours = json.at("enough_hours");
-    sun.settings.lossMin = json.value("loss_min", sun.settings.lossMin);
+    if (auto read = readFieldsJson(sunByPlaceFields().of(sun.settings), json); !read)
+        throw std::invalid_argument(read.error().text());
     sun.settings.study.receivers.cellM = json.at("cell_m");
     sun.possibleHours = json.at("possible_hours");
     const Json& places = json.at("places");
@@ -295,9 +307,7 @@ SunByPlace sunWithoutFigures(const Json& json) {
     sun.treesHow = json.value("engine_trees", std::string());
     const Json months = places[0].value("month_hours", Json::object());
     for (const auto& month : months.items()) sun.months.push_back(month.key());
-    const Json dates = places[0].value("share_below", Json::object());
-    for (const auto& date : dates.items())
-        if (const auto day = parseDate(date.key())) sun.settings.dates.push_back(*day);
+    sun.settings.dates = datesOf(places[0]);
     return sun;
 }
 

@@ -118,25 +118,25 @@ TEST(AutoEngine, LooksAtPartsThatHangInReachOnly) {
 TEST(AutoEngine, GoesOnToAnExactEngineWhereASampleMissesTheTarget) {
     const City level = oneTower(), hills = onTerrain();
     const SunSteps sun = evenDays(150, 480);
-    const auto closerThan = [&](const City& city, const Receivers& receivers, SampledDeviation off) {
+    const auto moreExactThan = [&](const City& city, const Receivers& receivers, SampledDeviation off) {
         const City* const cities[]{&city};
         const auto used = AutoEngine().choose(cities, receivers, sun);
         EXPECT_EQ(used->key, "horizon");
         return AutoEngine().chooseMoreExact(*used, off, cities, receivers, sun);
     };
     const Receivers strip = receiversOver(level, 30, -200, 32, 200);
-    EXPECT_FALSE(closerThan(level, strip, {0.04, 0.004})) << "within the target";
-    EXPECT_FALSE(closerThan(level, strip, {0.055, 0.004})) << "chance";
-    EXPECT_TRUE(closerThan(level, strip, {0.11, 0.2})) << "chance explains no more than the target";
-    const auto rays = closerThan(level, strip, {2.4, 0.2});
+    EXPECT_FALSE(moreExactThan(level, strip, {0.04, 0.004})) << "within the target";
+    EXPECT_FALSE(moreExactThan(level, strip, {0.055, 0.004})) << "chance";
+    EXPECT_TRUE(moreExactThan(level, strip, {0.11, 0.2})) << "chance explains no more than the target";
+    const auto rays = moreExactThan(level, strip, {2.4, 0.2});
     ASSERT_TRUE(rays);
     EXPECT_EQ(rays->key, "ray") << "800 receivers take rays less time than 400 rows take polygons";
     EXPECT_EQ(
         rays->why,
         "rays, since a sample of the horizon sweep is off by 2.400 % of the period in the mean, more than "
         "the 0.05 % aimed at");
-    EXPECT_EQ(closerThan(level, receiversOver(level, 30, -200, 232, 200), {2.4, 0.2})->key, "projected");
-    EXPECT_EQ(closerThan(hills, receiversOver(hills, 30, -200, 232, 200), {2.4, 0.2})->key, "ray");
+    EXPECT_EQ(moreExactThan(level, receiversOver(level, 30, -200, 232, 200), {2.4, 0.2})->key, "projected");
+    EXPECT_EQ(moreExactThan(hills, receiversOver(hills, 30, -200, 232, 200), {2.4, 0.2})->key, "ray");
 }
 
 TEST(AutoEngine, GoesOnFromNoExactEngineAndFromNoBinsThatWereSet) {

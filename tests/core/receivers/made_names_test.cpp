@@ -33,5 +33,16 @@ TEST(MadeNames, NamesOfTheDataAreNone) {
         EXPECT_FALSE(findMadeName(name)) << name;
 }
 
+TEST(MadeNames, ANumberIsSplitFromItsNameAndNoOtherAppendix) {
+    EXPECT_EQ(numberName("Garden", 1), "Garden");
+    EXPECT_EQ(numberName("Garden", 2), "Garden (2)");
+    const auto split = splitNumber("Garden (west) (12)");
+    ASSERT_TRUE(split);
+    EXPECT_EQ(split->name, "Garden (west)");
+    EXPECT_EQ(split->number, " (12)");
+    for (const char* name : {"Garden", "Garden (my note)", "Garden ()", " (2)", "Garden(2)", "Garden (2) "})
+        EXPECT_FALSE(splitNumber(name)) << name;
+}
+
 }  // namespace
 }  // namespace noonmark

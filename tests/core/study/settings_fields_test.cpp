@@ -7,6 +7,7 @@
 #include "core/describe/field_json.h"
 #include "core/describe/field_values.h"
 #include "core/io/settings/read_settings.h"
+#include "core/study/by_place/sun_by_place.h"
 #include "core/study/elements/element_fields.h"
 #include "core/study/provenance/study_hash.h"
 #include "core/study/review_study.h"
@@ -26,6 +27,7 @@ static_assert(countMembers<ErrorSampleSettings>() == 2);
 static_assert(countMembers<StudySettings>() == 12);
 static_assert(countMembers<ReadSettings>() == 23);
 static_assert(countMembers<ElementSettings>() == 13);
+static_assert(countMembers<SunByPlaceSettings>() == 5);
 
 TEST(SettingsFields, NoneOfAReviewIsForgotten) {
     const ReviewSettings standard{2, "Europe/Paris", 2026};
@@ -41,6 +43,8 @@ TEST(SettingsFields, NoneOfAReviewIsForgotten) {
               (std::set<std::string>{"--cell", "--year", "--zone"}))
         << "a command states the defaults too";
 }
+
+TEST(SettingsFields, NoneOfSunByPlaceIsForgotten) { expectNoticed(sunByPlaceFields(), SunByPlaceSettings{}); }
 
 TEST(SettingsFields, NoneOfAPeriodIsForgotten) {
     expectNoticed(periodFields(), Period{});

@@ -197,15 +197,15 @@ TEST_F(Languages, NamesThatTheProgramGivesAreTranslatedAndThoseOfUsersStay) {
     EXPECT_EQ(ruleName("Rule of our town"), QStringLiteral("Rule of our town"));
 }
 
-TEST_F(Languages, RulesAndTheirCountriesHaveWords) {
+TEST_F(Languages, RulesTheirPlacesAndCountriesAreTranslated) {
     QSet<QString> known;
-    for (const Message& message : readMessages(Language::german))
-        if (message.context == QStringLiteral("Rule")) known.insert(message.source);
+    for (const Message& message : readMessages(Language::german)) known.insert(message.source);
     const RuleLibrary library = RuleLibrary::load().value();
     for (const RuleGroup& group : groupByCountry(library.rules(), {})) {
         EXPECT_TRUE(known.contains(QString::fromStdString(group.name))) << group.name;
         for (const Rule* rule : group.rules)
-            EXPECT_TRUE(known.contains(QString::fromStdString(rule->name))) << rule->name;
+            for (const std::string& text : {rule->name, rule->where})
+                EXPECT_TRUE(known.contains(QString::fromStdString(text))) << text;
     }
 }
 

@@ -225,7 +225,7 @@ GroundAnswer makeGroundAnswer(std::shared_ptr<const void> owner, const ShadowFie
         {.map = std::shared_ptr<const ShadowField>(owner, &field), .withTrees = columnsOf(field, owner)});
 }
 
-GroundAnswer inColumn(GroundAnswer answer, TreeColumns column) {
+GroundAnswer showColumn(GroundAnswer answer, TreeColumns column) {
     const auto found = std::ranges::find(answer.withTrees, column, &GroundAnswer::Column::column);
     if (found == answer.withTrees.end()) return answer;
     answer.map = found->map;
@@ -243,7 +243,7 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
     const std::shared_ptr<const Score> all(score, &score->score);
     std::vector<GroundAnswer::Column> columns;
     for (const ShadedScore& with : score->score.withTrees)
-        if (!with.score.empty()) columns.push_back({with.column, inColumn(all, with.column), false});
+        if (!with.score.empty()) columns.push_back({with.column, showColumn(all, with.column), false});
     return {
         .map = all,
         .note =

@@ -72,9 +72,9 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score);
 /// A field alone. `owner` keeps it alive.
 GroundAnswer makeGroundAnswer(std::shared_ptr<const void> owner, const ShadowField& field);
 
-/// The answer with trees of a column; as it is where it was not measured so. Its error is that without trees,
-/// and the note says so.
-GroundAnswer inColumn(GroundAnswer answer, TreeColumns column);
+/// The answer as shown in a column of trees; as it is where it was not measured so. Its error is that without
+/// trees, and the note says so.
+GroundAnswer showColumn(GroundAnswer answer, TreeColumns column);
 
 /// Sets grossOnly and whyGross according to the map: of a study, a comparison or a saved result without
 /// continuous shadow.

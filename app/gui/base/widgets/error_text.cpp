@@ -16,72 +16,20 @@ namespace noonmark {
 
 namespace {
 
-// What the window reports by itself.
-[[maybe_unused]] constexpr const char* errorWords[] = {
-    QT_TRANSLATE_NOOP("Error", "No city is open"),
-    QT_TRANSLATE_NOOP("Error", "Open a file or a sample first"),
-    QT_TRANSLATE_NOOP("Error", "This result is already saved"),
-    QT_TRANSLATE_NOOP("Error", "Another result is being saved"),
-    QT_TRANSLATE_NOOP("Error", "Wait until it is saved"),
-    QT_TRANSLATE_NOOP("Error", "There is no result to save"),
-    QT_TRANSLATE_NOOP("Error", "There is no result to export"),
-    QT_TRANSLATE_NOOP("Error", "There are no figures to copy"),
-    QT_TRANSLATE_NOOP("Error", "Press Run first"),
-    QT_TRANSLATE_NOOP("Error", "The file was not opened: the project was changed while it was read"),
-    QT_TRANSLATE_NOOP("Error", "Save or undo the change, then open the file again"),
-    QT_TRANSLATE_NOOP("Error", "The file holds no such places near the city"),
-    QT_TRANSLATE_NOOP("Error", "Choose a map of this city with parks or streets, or a file of polygons"),
-    QT_TRANSLATE_NOOP("Error", "The project has no place of this name any more"),
-    QT_TRANSLATE_NOOP("Error", "Run again, so that the table lists the places as they are"),
-    QT_TRANSLATE_NOOP("Error", "The picture could not be written"),
-    QT_TRANSLATE_NOOP("Error", "Choose another folder"),
-    QT_TRANSLATE_NOOP("Error", "No ground of the city is visible"),
-    QT_TRANSLATE_NOOP("Error", "Move the view to the city first"),
+// Of the panel Review.
+[[maybe_unused]] constexpr const char* reviewErrors[] = {
     QT_TRANSLATE_NOOP("Error", "The project has no lots, and this rule is about parcels"),
     QT_TRANSLATE_NOOP("Error", "Draw the lot of the proposal: Edit > Draw lot"),
     QT_TRANSLATE_NOOP("Error", "The project has no places yet"),
     QT_TRANSLATE_NOOP("Error", "Read them from a map or draw one: Study > Read places, Study > Draw place"),
     QT_TRANSLATE_NOOP("Error", "No place is chosen"),
-    QT_TRANSLATE_NOOP("Error", "The proposal's shadow reaches no place in the rule's hours"),
-    QT_TRANSLATE_NOOP("Error", "Review all places to have that stated for each"),
     QT_TRANSLATE_NOOP("Error",
                       "Tick the places to review, or press In reach to find those that the shadow reaches"),
     QT_TRANSLATE_NOOP("Error", "Design a tower, or choose a scenario with a proposal"),
     QT_TRANSLATE_NOOP("Error", "The building is still being designed"),
     QT_TRANSLATE_NOOP("Error", "Build it, then run the review"),
     QT_TRANSLATE_NOOP("Error", "There is no review to export"),
-    QT_TRANSLATE_NOOP("Error", "Press Run review first"),
-    QT_TRANSLATE_NOOP("Error", "Check place and year"),
-    QT_TRANSLATE_NOOP("Error", "The sides of the lot cross each other"),
-    QT_TRANSLATE_NOOP("Error", "Draw the corners in order around the lot"),
-    QT_TRANSLATE_NOOP("Error", "The sides of the lot would cross or touch each other"),
-    QT_TRANSLATE_NOOP("Error", "Move the corner or side less far"),
-    QT_TRANSLATE_NOOP("Error", "The sides beside it meet before that"),
-    QT_TRANSLATE_NOOP("Error", "Move the side less far"),
-    QT_TRANSLATE_NOOP("Error", "A lot needs three corners or more"),
-    QT_TRANSLATE_NOOP("Error", "Move the corner instead"),
-    QT_TRANSLATE_NOOP("Error", "No corner is selected"),
-    QT_TRANSLATE_NOOP("Error", "Click a corner of the lot, then press Delete"),
-    QT_TRANSLATE_NOOP("Error", "The direction of the side is not known"),
-    QT_TRANSLATE_NOOP("Error", "Move the cursor to where the side leads, or type an azimuth: 40<90"),
-    QT_TRANSLATE_NOOP("Error", "This is not a length"),
-    QT_TRANSLATE_NOOP("Error", "Type it as 40, 40 m or 131' 3\", with an azimuth as 40<90"),
-    QT_TRANSLATE_NOOP("Error", "The polygon has no area"),
-    QT_TRANSLATE_NOOP("Error", "Draw it again with corners farther apart"),
-    QT_TRANSLATE_NOOP("Error", "Click more corners, or press Esc"),
-    QT_TRANSLATE_NOOP("Error", "There is no region or place of this name"),
-    QT_TRANSLATE_NOOP("Error", "Choose one from the list"),
-    QT_TRANSLATE_NOOP("Error", "The folder holds no buildings"),
-    QT_TRANSLATE_NOOP("Error", "Choose a folder of footprints, city models or meshes"),
-    QT_TRANSLATE_NOOP("Error", "The city has a terrain already"),
-    QT_TRANSLATE_NOOP("Error", "Open the city without it first"),
-    QT_TRANSLATE_NOOP("Error",
-                      "A terrain can be added to city files only, before they are saved as a project"),
-    QT_TRANSLATE_NOOP("Error", "Open the city files and the terrain together"),
-    QT_TRANSLATE_NOOP("Error", "The city has an aerial photograph already"),
-    QT_TRANSLATE_NOOP("Error", "Remove it first: File > Aerial photograph"),
-    QT_TRANSLATE_NOOP("Error", "Some scenarios could not be computed"),
-    QT_TRANSLATE_NOOP("Error", "The panel Scenarios says why in the row of each")};
+    QT_TRANSLATE_NOOP("Error", "Press Run review first")};
 
 // Of nameOf(WarningKind), which lies below the macro of core.
 [[maybe_unused]] constexpr const char* warningKinds[] = {
@@ -130,6 +78,12 @@ QString translated(std::string_view text) {
     return known.texts.emplace(std::move(source), std::move(found)).first->second;
 }
 
+Error noCityError() {
+    return {QT_TRANSLATE_NOOP("Error", "No city is open"),
+            {},
+            QT_TRANSLATE_NOOP("Error", "Open a file or a sample first")};
+}
+
 QString describeError(const Error& error) {
     Error local = error;
     local.what = translated(error.what).toStdString();
@@ -156,7 +110,9 @@ Error sumUp(const ScenarioErrors& errors, std::size_t asked) {
     const bool same =
         std::ranges::all_of(errors, [&](const auto& one) { return textOf(one) == textOf(errors.front()); });
     if (same && errors.size() == asked) return errors.front().second;
-    Error all{"Some scenarios could not be computed", {}, "The panel Scenarios says why in the row of each"};
+    Error all{QT_TRANSLATE_NOOP("Error", "Some scenarios could not be computed"),
+              {},
+              QT_TRANSLATE_NOOP("Error", "The panel Scenarios says why in the row of each")};
     if (same) all = errors.front().second;
     std::string names;
     for (const auto& [scenario, error] : errors) names += (names.empty() ? "" : ", ") + scenario;

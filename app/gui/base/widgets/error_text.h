@@ -23,9 +23,11 @@ inline QString translatedSentence(std::string_view text) {
     return sentence.replace(QStringLiteral(" x "), QStringLiteral(" × "));
 }
 
-/// What is wrong, where, and what to do: Error::text(), in the language of the window where the error is one
-/// of the window's own, or core marks its text by NM_TEXT. Others are English, as are all that hold a number
-/// or a name.
+/// Errors of the window itself are marked where they are made: QT_TRANSLATE_NOOP("Error", ...).
+Error noCityError();
+
+/// What is wrong, where, and what to do: Error::text(), in the language of the window where its texts are
+/// marked. Others are English, as are all that hold a number or a name.
 QString describeError(const Error& error);
 
 /// "28 repaired: outline crossed itself", in the language of the window as far as describeError() is.

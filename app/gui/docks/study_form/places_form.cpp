@@ -204,8 +204,7 @@ const Fields<PlacesChoice>& placesChoiceFields() {
         field(&PlacesChoice::unticked, {.key = "unticked"}),
         field(&PlacesChoice::ownRegions, {.key = "own_regions"}),
         field(&PlacesChoice::allScenarios, {.key = "all_scenarios"}),
-        field(&PlacesChoice::enoughHours,
-              {.key = "enough_hours", .range = ValueRange{0, SunByPlaceSettings::maxHours}}),
+        field(&PlacesChoice::enoughHours, fieldWithKey(sunByPlaceFields().rows(), "enough_hours")),
         field(&PlacesChoice::dates, {.key = "dates"})};
     return fields;
 }

@@ -207,7 +207,9 @@ bool CopyActions::copyText(QWidget* focus) {
 
 void CopyActions::copyFigures() {
     if (dock_.rows().empty())
-        return panel_.messages().showError({"There are no figures to copy", {}, "Press Run first"});
+        return panel_.messages().showError({QT_TRANSLATE_NOOP("Error", "There are no figures to copy"),
+                                            {},
+                                            QT_TRANSLATE_NOOP("Error", "Press Run first")});
     put(makeTableText(dock_.rows()), tr("Figures"));
 }
 

@@ -165,11 +165,13 @@ void OpeningActions::openFilesOf(const QString& folder) {
         listFiles(folder, endingsOf({FileKind::footprints, FileKind::cityJson, FileKind::mesh}));
     const QStringList terrains = listTerrains(folder);
     if (files.isEmpty())
-        return messages_.showError({"The folder holds no buildings", folder.toStdString(),
-                                    terrains.isEmpty()
-                                        ? "Choose a folder of footprints, city models or meshes"
-                                        : "It holds terrains only: open one by Open, or choose a folder of "
-                                          "footprints, city models or meshes"});
+        return messages_.showError(
+            {QT_TRANSLATE_NOOP("Error", "The folder holds no buildings"), folder.toStdString(),
+             terrains.isEmpty()
+                 ? QT_TRANSLATE_NOOP("Error", "Choose a folder of footprints, city models or meshes")
+                 : QT_TRANSLATE_NOOP("Error",
+                                     "It holds terrains only: open one by Open, or choose a folder of "
+                                     "footprints, city models or meshes")});
     filesOfFolder_ = files;
     terrainsOfFolder_ = terrains;
     open(files);
@@ -210,12 +212,13 @@ bool OpeningActions::canAddTerrain() const {
 void OpeningActions::addTerrain(const QStringList& files, const ReadSettings& reading) {
     const std::string name = files.front().toStdString();
     if (workbench_.city()->city().terrain)
-        return messages_.showError(
-            {"The city has a terrain already", name, "Open the city without it first"});
+        return messages_.showError({QT_TRANSLATE_NOOP("Error", "The city has a terrain already"), name,
+                                    QT_TRANSLATE_NOOP("Error", "Open the city without it first")});
     if (!canAddTerrain())
         return messages_.showError(
-            {"A terrain can be added to city files only, before they are saved as a project", name,
-             "Open the city files and the terrain together"});
+            {QT_TRANSLATE_NOOP(
+                 "Error", "A terrain can be added to city files only, before they are saved as a project"),
+             name, QT_TRANSLATE_NOOP("Error", "Open the city files and the terrain together")});
     const Workbench::Source source = workbench_.source();
     replaceBy(source.files + files, withTerrain(source.reading, reading));
 }

@@ -245,8 +245,7 @@ void PlaceActions::follow() {
 }
 
 void PlaceActions::askForFiles() {
-    if (!workbench_.city())
-        return panel_.messages().showError({"No city is open", {}, "Open a file or a sample first"});
+    if (!workbench_.city()) return panel_.messages().showError(noCityError());
     read(askForPlaces(&window_, folderOfCity()));
 }
 
@@ -261,8 +260,7 @@ QString PlaceActions::folderOfCity() const {
 
 // Those of the city as it was opened, or of the files that its project was made from.
 void PlaceActions::readStreets() {
-    if (!workbench_.city())
-        return panel_.messages().showError({"No city is open", {}, "Open a file or a sample first"});
+    if (!workbench_.city()) return panel_.messages().showError(noCityError());
     QStringList files = workbench_.source().files;
     for (const InputFile& input : workbench_.session().project().inputs)
         files << QString::fromStdString(input.path.string());
@@ -322,9 +320,10 @@ void PlaceActions::askForLayer(const QString& file, const std::vector<UnknownLay
 void PlaceActions::take(const PlacesRead& read, EarlierPlaces earlier) {
     if (read.places.empty())
         return panel_.messages().showError(
-            {"The file holds no such places near the city",
+            {QT_TRANSLATE_NOOP("Error", "The file holds no such places near the city"),
              {},
-             "Choose a map of this city with parks or streets, or a file of polygons"});
+             QT_TRANSLATE_NOOP("Error",
+                               "Choose a map of this city with parks or streets, or a file of polygons")});
     PlacesAdded added;
     const auto join = earlier == EarlierPlaces::stay ? withMorePlaces : withPlaces;
     Project next = join(workbench_.session().project(), read.places, added);
@@ -348,8 +347,7 @@ void PlaceActions::takeDropped(const QStringList& files, std::optional<QPointF> 
 }
 
 void PlaceActions::addFiles(const QStringList& files) {
-    if (!workbench_.city())
-        return panel_.messages().showError({"No city is open", {}, "Open a file or a sample first"});
+    if (!workbench_.city()) return panel_.messages().showError(noCityError());
     if (isPhotograph(files)) return addPhotograph(files.front());
     const Added content = chooseContent(files);
     if (content == Added::trees) Q_EMIT treesFound(files.front());
@@ -379,8 +377,9 @@ PlaceActions::Added PlaceActions::chooseContent(const QStringList& files) const 
 
 void PlaceActions::addPhotograph(const QString& file) {
     if (workbench_.session().project().groundPicture)
-        return panel_.messages().showError({"The city has an aerial photograph already", file.toStdString(),
-                                            "Remove it first: File > Aerial photograph"});
+        return panel_.messages().showError(
+            {QT_TRANSLATE_NOOP("Error", "The city has an aerial photograph already"), file.toStdString(),
+             QT_TRANSLATE_NOOP("Error", "Remove it first: File > Aerial photograph")});
     Q_EMIT photographDropped(file);
 }
 
@@ -416,8 +415,9 @@ void PlaceActions::add(Place place, const QString& what) {
 void PlaceActions::zoomTo(const std::string& name) {
     const auto place = findPlace(workbench_.session().project(), name);
     if (!place)
-        return panel_.messages().showError({"The project has no place of this name any more", name,
-                                            "Run again, so that the table lists the places as they are"});
+        return panel_.messages().showError(
+            {QT_TRANSLATE_NOOP("Error", "The project has no place of this name any more"), name,
+             QT_TRANSLATE_NOOP("Error", "Run again, so that the table lists the places as they are")});
     Box2 box = bounds(*place);
     const glm::vec2 border =
         glm::max((box.high - box.low) * 0.25F, (glm::vec2(minShownM) - (box.high - box.low)) * 0.5F);

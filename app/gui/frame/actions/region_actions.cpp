@@ -57,8 +57,9 @@ void RegionActions::draw(bool on) {
 
 void RegionActions::change(const Region& region) {
     if (region.polygons.empty())
-        return panel_.messages().showError(
-            {"No ground of the city is visible", {}, "Move the view to the city first"});
+        return panel_.messages().showError({QT_TRANSLATE_NOOP("Error", "No ground of the city is visible"),
+                                            {},
+                                            QT_TRANSLATE_NOOP("Error", "Move the view to the city first")});
     StudySettings settings = workbench_.document().settings();
     settings.region = region;
     workbench_.document().change(settings, tr("region"));
@@ -105,8 +106,9 @@ void RegionActions::takeNamed(const std::string& name) {
     const auto place = findPlace(project, name);
     if (place) return change(regionOf(*place));
     Error error = place.error();
-    error.what = "There is no region or place of this name";
-    if (error.advice.find("noonmark-cli") != std::string::npos) error.advice = "Choose one from the list";
+    error.what = QT_TRANSLATE_NOOP("Error", "There is no region or place of this name");
+    if (error.advice.find("noonmark-cli") != std::string::npos)
+        error.advice = QT_TRANSLATE_NOOP("Error", "Choose one from the list");
     panel_.messages().showError(error);
 }
 

@@ -28,7 +28,8 @@ QString text(const std::string& name) { return QString::fromStdString(name); }
 
 Result<void> save(const QImage& image, const QString& file) {
     if (image.save(file)) return {};
-    return failure("The picture could not be written", file.toStdString(), "Choose another folder");
+    return failure(QT_TRANSLATE_NOOP("Error", "The picture could not be written"), file.toStdString(),
+                   QT_TRANSLATE_NOOP("Error", "Choose another folder"));
 }
 
 }  // namespace

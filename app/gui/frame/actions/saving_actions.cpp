@@ -6,6 +6,7 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/buttons.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/session/workbench.h"
 
@@ -104,8 +105,7 @@ void SavingActions::save() {
 }
 
 void SavingActions::saveAs() {
-    if (!workbench_.city())
-        return messages_.showError({"No city is open", {}, "Open a file or a sample first"});
+    if (!workbench_.city()) return messages_.showError(noCityError());
     const QString file = askSaveAs_(workbench_.projectName() + QLatin1String(projectEnding));
     if (file.isEmpty()) return void(afterSave_ = nullptr);
     saveTo(file.toStdString());

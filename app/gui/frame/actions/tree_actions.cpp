@@ -238,8 +238,7 @@ void TreeActions::askForFile() {
 }
 
 void TreeActions::ask(const QString& file) {
-    if (!workbench_.city())
-        return messages_.showError({"No city is open", {}, "Open a file or a sample first"});
+    if (!workbench_.city()) return messages_.showError(noCityError());
     reading_.start<ListedTrees>(
         tr("Listing fields"),
         [file = file.toStdString()](Progress&, const std::stop_token& stop) { return listTrees(file, stop); },

@@ -49,8 +49,8 @@ PreferencesDialog::PreferencesDialog(QSettings& settings, QWidget* parent)
 void PreferencesDialog::addLooks(QFormLayout& form) {
     language_ =
         addList(form, tr("Language"), "preferredLanguage",
-                tr("Of menus, panels and numbers; applies at once. Files, sheets and error messages stay "
-                   "English"));
+                tr("Of menus, panels and numbers; applies at once. Files and sheets stay English, and so do "
+                   "errors and warnings that hold a number or a name"));
     for (const LanguageEntry& entry : languages)
         language_->addItem(entry.ownName ? QString::fromUtf8(entry.ownName) : tr("As the system"),
                            int(entry.language));

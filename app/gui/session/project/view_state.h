@@ -42,7 +42,7 @@ struct ViewState {
 /// Keys: "camera", "section", "mode", "measure", "change_scale", "legend" (JSON), "scenario", "baseline",
 /// "answer", "answer_seconds", "shown", "study" (JSON), "elements" (JSON), "review" (JSON). The window adds
 /// "weights", the chosen table, "figures" (latest_answers.h), "question", "places_asked", "places_listed",
-/// "compared" and "clock" (main_window.cpp).
+/// "compared" and "clock" (window_project.cpp).
 std::map<std::string, std::string> textsOf(const ViewState& state);
 
 /// Reads what is valid; the rest is as in ViewState{}. Accepts any text, since the file may come from

@@ -2,7 +2,6 @@
 
 #include <QObject>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -80,13 +79,9 @@ std::optional<QString> nameOfUnnamed(const std::string& name) {
 
 // "Community Garden (2)": the second of this name.
 std::optional<QString> nameOfNumbered(const std::string& name) {
-    const auto open = name.rfind(" (");
-    if (open == name.npos || open == 0 || !name.ends_with(')')) return std::nullopt;
-    const std::string number = name.substr(open);
-    const bool isNumber = std::all_of(number.begin() + 2, number.end() - 1,
-                                      [](unsigned char c) { return std::isdigit(c) != 0; });
-    if (!isNumber) return std::nullopt;
-    return placeName(name.substr(0, open)) + QString::fromStdString(number);
+    const auto numbered = splitNumber(name);
+    if (!numbered) return std::nullopt;
+    return placeName(std::string(numbered->name)) + QString::fromStdString(std::string(numbered->number));
 }
 
 }  // namespace

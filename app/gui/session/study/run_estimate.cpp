@@ -35,6 +35,20 @@ double viaGraph(std::string_view engine, double raySeconds, double hours) {
     return raySeconds * std::min(1.0, graphEdges / std::max(hours, 1.0)) / speedOverRays(engine);
 }
 
+struct KnownSeconds {
+    std::string_view engine;
+    double EstimatedSeconds::*seconds;
+};
+constexpr std::array knownSeconds{KnownSeconds{referenceEngine, &EstimatedSeconds::ray},
+                                  KnownSeconds{"projected", &EstimatedSeconds::projected},
+                                  KnownSeconds{"horizon", &EstimatedSeconds::horizon}};
+
+// Engines without an estimate of their own are those that go through the graph.
+double secondsOfEngine(std::string_view engine, const EstimatedSeconds& seconds, double hours) {
+    const auto known = std::ranges::find(knownSeconds, engine, &KnownSeconds::engine);
+    return known != knownSeconds.end() ? seconds.*known->seconds : viaGraph(engine, seconds.ray, hours);
+}
+
 // Months take another pass by the engine of the field where it sums them, else by the sweep without longest
 // runs; contributions such a sweep of about twice the time (horizon_breakdown.h).
 double breakdownSeconds(const StudySettings& settings, std::string_view engine, EngineLoad load) {
@@ -82,18 +96,16 @@ Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings,
     const std::array cities{&city};
     const EngineLoad load = measureEngineLoad(cities, *receivers, *sun, HorizonSweepSettings());
     const EstimatedSeconds seconds = estimateSeconds(load);
+    const double sunlitHours = sun->sunlitMinutes() / 60;
     const auto chosen = AutoEngine().choose(cities, *receivers, *sun);
-    const std::map<std::string_view, double> known{
-        {referenceEngine, seconds.ray}, {"projected", seconds.projected}, {"horizon", seconds.horizon}};
-    RunEstimate estimate{.receivers = double(load.receivers),
-                         .steps = double(load.steps),
-                         .raySeconds = seconds.ray,
-                         .quickerSeconds = chosen ? known.at(chosen->key) : seconds.ray};
+    RunEstimate estimate{
+        .receivers = double(load.receivers),
+        .steps = double(load.steps),
+        .raySeconds = seconds.ray,
+        .quickerSeconds = chosen ? secondsOfEngine(chosen->key, seconds, sunlitHours) : seconds.ray};
     const std::string_view engine =
         settings.engine == "auto" && chosen ? chosen->key : std::string_view(settings.engine);
-    const auto time = known.find(engine);
-    estimate.seconds =
-        time != known.end() ? time->second : viaGraph(engine, seconds.ray, sun->sunlitMinutes() / 60);
+    estimate.seconds = secondsOfEngine(engine, seconds, sunlitHours);
     const double further = breakdownSeconds(settings, engine, load);
     const TreeSeconds trees = treeSeconds(city, settings, *receivers, *sun);
     const double quickerTrees = std::min(trees.rays, trees.sweep);

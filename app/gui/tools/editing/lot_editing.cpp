@@ -250,7 +250,9 @@ void LotEditing::take(Result<Footprint> outline, const QString& what) {
 
 void LotEditing::removeSelected() {
     if (!selected_)
-        return Q_EMIT failed({"No corner is selected", {}, "Click a corner of the lot, then press Delete"});
+        return Q_EMIT failed({QT_TRANSLATE_NOOP("Error", "No corner is selected"),
+                              {},
+                              QT_TRANSLATE_NOOP("Error", "Click a corner of the lot, then press Delete")});
     const std::size_t corner = *std::exchange(selected_, std::nullopt);
     take(removeCorner(lot_->outline, corner),
          tr("remove a corner of %1").arg(QString::fromStdString(lot_->name)));

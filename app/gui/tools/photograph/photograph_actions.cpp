@@ -4,6 +4,7 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/buttons.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/session/workbench.h"
@@ -43,8 +44,7 @@ void PhotographActions::follow() {
 }
 
 void PhotographActions::ask() {
-    if (!workbench_.city())
-        return messages_.showError({"No city is open", {}, "Open a file or a sample first"});
+    if (!workbench_.city()) return messages_.showError(noCityError());
     PhotographDialog dialog(
         workbench_.session().project().groundPicture, [this] { return askForPhotograph(&window_); },
         &window_);

@@ -79,9 +79,11 @@ void PolygonTool::addSide(double lengthM, std::optional<double> azimuthDeg) {
     const glm::vec3 last = points_.back();
     const auto direction = azimuthDeg ? std::optional(directionOf(*azimuthDeg)) : cursorDirection();
     if (!direction)
-        return Q_EMIT refused({"The direction of the side is not known",
-                               {},
-                               "Move the cursor to where the side leads, or type an azimuth: 40<90"});
+        return Q_EMIT refused(
+            {QT_TRANSLATE_NOOP("Error", "The direction of the side is not known"),
+             {},
+             QT_TRANSLATE_NOOP("Error",
+                               "Move the cursor to where the side leads, or type an azimuth: 40<90")});
     addPoint(glm::dvec3(glm::dvec2(last) + lengthM * *direction, double(last.z)));
 }
 
@@ -107,10 +109,12 @@ void PolygonTool::finish() {
     if (points_.size() < 3)
         return Q_EMIT refused({"A " + what_.toStdString() + " needs three corners or more",
                                {},
-                               "Click more corners, or press Esc"});
+                               QT_TRANSLATE_NOOP("Error", "Click more corners, or press Esc")});
     const RepairedFootprint repaired = repairFootprint({parseRing(points_)});
     if (repaired.pieces.empty())
-        return Q_EMIT refused({"The polygon has no area", {}, "Draw it again with corners farther apart"});
+        return Q_EMIT refused({QT_TRANSLATE_NOOP("Error", "The polygon has no area"),
+                               {},
+                               QT_TRANSLATE_NOOP("Error", "Draw it again with corners farther apart")});
     end();
     Q_EMIT finished(repaired.pieces);
 }
@@ -255,8 +259,8 @@ void PolygonDrawing::takeTyped() {
     const QString text = typed_.finish();
     const auto side = parseTypedSide(text, unitsInUse());
     if (side) return active()->addSide(side->lengthM, side->azimuthDeg);
-    Q_EMIT refused({"This is not a length", text.toStdString(),
-                    "Type it as 40, 40 m or 131' 3\", with an azimuth as 40<90"});
+    Q_EMIT refused({QT_TRANSLATE_NOOP("Error", "This is not a length"), text.toStdString(),
+                    QT_TRANSLATE_NOOP("Error", "Type it as 40, 40 m or 131' 3\", with an azimuth as 40<90")});
 }
 
 void PolygonDrawing::showLabel() { label_.show(pixel_, typed_.empty() ? describe() : describeTyped()); }

@@ -252,7 +252,7 @@ std::optional<std::size_t> ResultLayer::paintedTileAt(const glm::dvec3& place) c
 
 // With the trees that the legend was chosen to show.
 GroundAnswer ResultLayer::inChosenColumn(const GroundAnswer& answer) const {
-    return inColumn(answer, strip_.choice().trees);
+    return showColumn(answer, strip_.choice().trees);
 }
 
 // The result with the highest precedence; none yet.

@@ -103,8 +103,7 @@ Result<void> addPlaces(PlaceShadows& shadows, const std::vector<Place>& places, 
     return {};
 }
 
-/// A table (CSV): name, kind, receivers, receiver_area_m2, shadow_area_m2, mean_gross_min, max_gross_min,
-/// mean_continuous_min, max_continuous_min. Empty fields where nothing was measured.
+/// A table (CSV): name, kind and the figures of a shadow field, empty where nothing was measured.
 std::string formatPlaces(const PlaceShadows& shadows) {
     std::vector<std::string> columns = listColumns(shadowFigures().rows());
     columns.insert(columns.begin(), {"name", "kind"});
