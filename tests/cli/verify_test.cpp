@@ -85,6 +85,7 @@ TEST_F(VerifyCommand, AgreesWithSunByPlace) {
         EXPECT_EQ(output.code, exitOk) << output.err << output.out;
         EXPECT_GT(output.json()["figures"]["compared"], 50);
         EXPECT_EQ(output.json()["tables"][0]["name"], "places.csv");
+        EXPECT_EQ(output.json()["tables"][1]["name"], "places_by_time.csv");
     }
 }
 
