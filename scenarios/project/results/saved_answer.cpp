@@ -63,9 +63,10 @@ SavedOrigin originOf(const Json& json) {
             saved.value("question_sha256", ""),
             textOf(json, "program"),
             textOf(json, json.contains("engine_settings") ? "engine_settings" : "engine_used"),
-            textOf(json.value("period", Json::object()), "text"),
+            readStatedPeriod(json.value("period", Json::object())),
             region.is_object() ? textOf(region, "name") : textOf(json, "region"),
-            weightsOf(json, saved)};
+            weightsOf(json, saved),
+            textOf(json, "rule_name")};
 }
 
 // Older results store only the requested step length, which was used as it was.

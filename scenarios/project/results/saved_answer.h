@@ -17,6 +17,7 @@
 #include "core/study/contributions/place_contributions.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/text/breakdown_text.h"
+#include "core/sun/stated_period.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/project/project.h"
 #include "scenarios/weights/score.h"
@@ -32,9 +33,10 @@ struct SavedOrigin {
     std::string questionSha256;                         ///< hashQuestion() of its settings; empty likewise
     std::string program;                                ///< "Noonmark 0.1.0"
     std::string engine;                                 ///< name and settings, as text
-    std::string period;                                 ///< as text
-    std::string region;                                 ///< its name; may be empty
+    StatedPeriod period;
+    std::string region;                  ///< its name; may be empty
     std::optional<TimeWeights> weights;  ///< score: the table at that time; empty where not stored
+    std::string rule{};                  ///< review: the name of its rule; empty likewise
 };
 
 /// The names of a study's layers; with trees they end in layerEnding().

@@ -1,8 +1,10 @@
 #include "app/gui/base/widgets/name_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QObject>
 
+#include "app/gui/base/widgets/error_text.h"
 #include "core/study/contributions/contributions.h"
 #include "scenarios/scenario.h"
 
@@ -74,6 +76,13 @@ namespace {
 
 QString scenarioName(const std::string& name) {
     return name == existingCity ? QObject::tr("Existing") : QString::fromStdString(name);
+}
+
+QString weightName(const std::string& name) {
+    const QString english = QString::fromStdString(name);
+    for (int month = 1; month <= 12; ++month)
+        if (QLocale::c().standaloneMonthName(month) == english) return QLocale().standaloneMonthName(month);
+    return translated(name);
 }
 
 QString ruleName(std::string_view name) {

@@ -267,7 +267,8 @@ ContributionSheet makeContributionSheet(const ContributionTable& of, const City&
     fillSheet(sheet, of.rows, of.trees, of.sunlitMinutesPerDay, view,
               [&](const Contribution& one) { return makeRecordedRow(one, city); });
     sheet.note = QObject::tr("%1 cell(s)", "", pluralNumber(of.cells)).arg(formatCount(of.cells));
-    if (!of.period.empty()) sheet.note += QStringLiteral("; ") + QString::fromStdString(of.period);
+    if (const QString period = periodText(of.period); !period.isEmpty())
+        sheet.note += QStringLiteral("; ") + period;
     sheet.method = QObject::tr("Attributed by: %1").arg(QString::fromStdString(of.engine));
     return sheet;
 }
