@@ -43,6 +43,9 @@ struct SavedOrigin {
 inline const std::string grossLayer = "gross shadow", runLayer = "continuous shadow";
 /// ", trees as evergreens"
 std::string layerEnding(TreeColumns column);
+/// Further layers of a comparison: the shadow that its change is the difference of.
+inline const std::string beforeLayer = "gross shadow of the baseline",
+                         afterLayer = "gross shadow of the scenario";
 
 struct SavedStudy {
     ShadowField field;  ///< without cost and warnings; with trees where the version stored their maps
@@ -64,6 +67,11 @@ struct SavedStudy {
 struct SavedImpact {
     Impact impact;  ///< cells that were built over count as outside where the version did not store them
     ComparisonFigures figures;
+    /// Gross shadow of both, without trees. None: the version stored the change alone.
+    struct Sides {
+        ShadowField before, after;
+    };
+    std::optional<Sides> sides{};
 };
 
 struct SavedScore {
