@@ -10,6 +10,7 @@
 #include "core/city/city_position.h"
 #include "core/city/map_context.h"
 #include "core/io/pictures/ground_raster_file.h"
+#include "core/receivers/made_names.h"
 #include "core/receivers/place_names.h"
 #include "core/samples/sample_city.h"
 
@@ -263,7 +264,7 @@ Result<Region> cityRegion(const City& city) {
         return failure("There is no building, so \"city\" is no region", {},
                        "Name files with buildings, or give the region as west,south,east,north");
     Region region = makeRegionFromLocalBox(box);
-    region.name = "the whole city";
+    region.name = madeNames::wholeCity;
     return region;
 }
 
@@ -288,7 +289,7 @@ Region firstRegion(const LoadedCity& loaded, float maxM) {
     constexpr float borderM = 50;
     const Box2 within = keepOnTerrain({box.low - borderM, box.high + borderM}, loaded.read.city);
     Region region = makeRegionFromLocalBox(findDensestBox(loaded.read.city, within, glm::vec2(maxM)));
-    region.name = "the middle of the city";
+    region.name = madeNames::cityMiddle;
     return region;
 }
 

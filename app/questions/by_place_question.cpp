@@ -8,7 +8,7 @@
 #include "core/base/progress.h"
 #include "core/describe/field_values.h"
 #include "core/describe/text.h"
-#include "core/study/by_place/sun_by_place.h"
+#include "core/study/by_place/place_tables.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/provenance/provenance_texts.h"
 #include "scenarios/project/results/save_result.h"
@@ -104,7 +104,8 @@ public:
         const PlaceColours& colours = shown.colours;
         const ElementTable table = makeTable(sun, content().compared);
         OutputFolder files(folder, how.rules);
-        files.add("places.csv", textContent(toCsv(table)));
+        for (const PlaceTable& one : placeTables())
+            files.add(one.file, textContent(toCsv(one.make(sun, content().compared))));
         files.add("places.gpkg", [&](const std::filesystem::path& file) {
             return writePlacesGeoPackage(file, sun.city.frame, sun.places, table,
                                          makeStyle(shown.sun->baseline, colours));
@@ -197,7 +198,8 @@ std::shared_ptr<const Answer> makeByPlaceAnswer(SunOfCities sun, StudySettings a
 }
 
 std::vector<std::string> byPlaceFileNames(bool withSheets, std::span<const CivilDate> dates) {
-    std::vector<std::string> names{"places.csv", "places.gpkg", "places.json"};
+    std::vector<std::string> names{"places.gpkg", "places.json"};
+    for (const PlaceTable& table : placeTables()) names.emplace_back(table.file);
     std::ranges::move(placeMapNames(dates), std::back_inserter(names));
     if (withSheets) names.emplace_back("sheets.pdf");
     return names;

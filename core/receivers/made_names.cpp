@@ -36,6 +36,13 @@ bool hasDigitsOnly(std::string_view text) {
     return std::ranges::all_of(text, [](unsigned char letter) { return std::isdigit(letter) != 0; });
 }
 
+// The same of a pattern that ends with its only argument.
+std::optional<Sentence> matchBeginning(std::string_view pattern, std::string_view name) {
+    const std::string_view before = pattern.substr(0, pattern.rfind('%'));
+    if (!name.starts_with(before) || name.size() == before.size()) return std::nullopt;
+    return Sentence{pattern, {std::string(name.substr(before.size()))}};
+}
+
 bool countsSources(const Sentence& sentence) {
     return hasDigitsOnly(std::get<std::string>(sentence.arguments[1]));
 }
@@ -55,8 +62,12 @@ std::optional<NumberedName> splitNumber(std::string_view name) {
 }
 
 std::optional<Sentence> findMadeName(std::string_view name) {
+    for (const std::string_view whole :
+         {madeNames::wholeCity, madeNames::cityMiddle, madeNames::aroundBuilding})
+        if (name == whole) return Sentence{whole, {}};
     for (const std::string_view pattern : {madeNames::carriageway, madeNames::sidewalks})
         if (auto found = match(pattern, name)) return found;
+    if (auto found = matchBeginning(madeNames::around, name)) return found;
     for (const std::string_view pattern : madeNames::winds)
         if (auto found = match(pattern, name)) return found;
     for (const std::string_view pattern : {madeNames::at, madeNames::between})

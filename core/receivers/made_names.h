@@ -10,11 +10,17 @@
 
 namespace noonmark {
 
-/// Names that reading makes from those of the data. "%1" is the street, or a longer part of it.
+/// Names that the program makes, most of them from those of the data. "%1" is the street, or a longer part of
+/// it.
 namespace madeNames {
 inline constexpr std::string_view carriageway = NM_TEXT("%1, carriageway"),
                                   sidewalks = NM_TEXT("%1, sidewalks"), between = NM_TEXT("%1, %2 to %3"),
                                   at = NM_TEXT("%1, at %2"), severalSources = NM_TEXT("%1 and %2 more");
+/// Regions. "%1" is a building or what else stands in the middle.
+inline constexpr std::string_view wholeCity = NM_TEXT("the whole city"),
+                                  cityMiddle = NM_TEXT("the middle of the city"),
+                                  aroundBuilding = NM_TEXT("around the building"),
+                                  around = NM_TEXT("around %1");
 /// Counter-clockwise from the east.
 inline constexpr std::string_view winds[] = {NM_TEXT("%1, east of %2"),  NM_TEXT("%1, north-east of %2"),
                                              NM_TEXT("%1, north of %2"), NM_TEXT("%1, north-west of %2"),

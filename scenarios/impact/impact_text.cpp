@@ -138,7 +138,7 @@ std::vector<CommandOption> optionsOf(const ImpactAnswer& answer) {
 
 ComparisonFigures computeFigures(const ImpactAnswer& answer) {
     const Impact& total = answer.study.total;
-    ComparisonFigures figures{answer.from,  answer.to,    {}, {}, formatText(answer.settings.study.period),
+    ComparisonFigures figures{answer.from,  answer.to,    {}, {}, statePeriod(answer.settings.study.period),
                               total.engine, total.waterM2};
     for (const double threshold : answer.settings.thresholdsMin)
         figures.all.push_back(computeFigures(answer.study, threshold));

@@ -7,6 +7,7 @@
 #include "core/describe/answer_page.h"
 #include "core/describe/figure_text.h"
 #include "core/measures/legend_choice.h"
+#include "core/sun/stated_period.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/impact/proposal_region.h"
 
@@ -34,7 +35,7 @@ struct ComparisonFigures {
     std::string to;
     std::vector<ImpactFigures> all;  ///< one per threshold
     std::vector<NewBuilding> byBuilding;
-    std::string period;  ///< as text
+    StatedPeriod period;
     std::string engine;
     double waterM2 = 0;                ///< of the region, left out
     std::vector<ShownError> errors{};  ///< of the changes of a cell; none: not measured

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "core/describe/text.h"
+#include "core/receivers/made_names.h"
 #include "core/receivers/rasterize.h"
 #include "scenarios/impact/impact_text.h"
 
@@ -84,7 +85,7 @@ Region makeRegionAround(const std::vector<std::shared_ptr<const Building>>& buil
     middle.y += findShadowSide(latDeg) * ((size.y - (box.high.y - box.low.y)) / 2 - borderM) / 2;
     Region around = makeRegionFromLocalBox({middle - size / 2.0F, middle + size / 2.0F});
     const Building& first = *buildings.front();
-    around.name = "around " + (first.name.empty() ? first.sourceId : first.name);
+    around.name = makeName(madeNames::around, {first.name.empty() ? first.sourceId : first.name});
     return around;
 }
 

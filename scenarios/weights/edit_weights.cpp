@@ -6,6 +6,8 @@
 #include <iterator>
 #include <set>
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
@@ -45,36 +47,36 @@ TimeWeights makeSeasons(const char* name, const std::vector<WeightedSeason>& sea
 }
 
 std::vector<WeightedSeason> comfortSeasons(double fromEquatorDeg) {
-    if (fromEquatorDeg < tropicDeg) return {{"hot all year", 1, 12, 10, 17, 1}};
+    if (fromEquatorDeg < tropicDeg) return {{NM_TEXT("hot all year"), 1, 12, 10, 17, 1}};
     if (fromEquatorDeg < subtropicsDeg)
-        return {{"hot months", 6, 8, 10, 18, 1},
-                {"before the hot months", 4, 5, 11, 17, 0.5},
-                {"after the hot months", 9, 10, 11, 17, 0.5},
-                {"winter", 12, 2, 9, 16, -0.5}};
+        return {{NM_TEXT("hot months"), 6, 8, 10, 18, 1},
+                {NM_TEXT("before the hot months"), 4, 5, 11, 17, 0.5},
+                {NM_TEXT("after the hot months"), 9, 10, 11, 17, 0.5},
+                {NM_TEXT("winter"), 12, 2, 9, 16, -0.5}};
     if (fromEquatorDeg < coldDeg)
-        return {{"hot months", 6, 8, 11, 17, 1},
-                {"before the hot months", 5, 5, 12, 16, 0.5},
-                {"after the hot months", 9, 9, 12, 16, 0.5},
-                {"winter", 11, 2, 9, 16, -1},
-                {"early spring", 3, 3, 9, 17, -0.5}};
-    return {{"hot month", 7, 7, 12, 16, 0.5}, {"winter", 10, 4, 9, 17, -1}};
+        return {{NM_TEXT("hot months"), 6, 8, 11, 17, 1},
+                {NM_TEXT("before the hot months"), 5, 5, 12, 16, 0.5},
+                {NM_TEXT("after the hot months"), 9, 9, 12, 16, 0.5},
+                {NM_TEXT("winter"), 11, 2, 9, 16, -1},
+                {NM_TEXT("early spring"), 3, 3, 9, 17, -0.5}};
+    return {{NM_TEXT("hot month"), 7, 7, 12, 16, 0.5}, {NM_TEXT("winter"), 10, 4, 9, 17, -1}};
 }
 
 WeightedSeason growingSeason(double fromEquatorDeg) {
-    if (fromEquatorDeg < tropicDeg) return {"growing season", 1, 12, 6, 20, -1};
-    if (fromEquatorDeg < subtropicsDeg) return {"growing season", 3, 10, 6, 20, -1};
-    if (fromEquatorDeg < coldDeg) return {"growing season", 4, 9, 6, 20, -1};
-    return {"growing season", 5, 8, 6, 20, -1};
+    if (fromEquatorDeg < tropicDeg) return {NM_TEXT("growing season"), 1, 12, 6, 20, -1};
+    if (fromEquatorDeg < subtropicsDeg) return {NM_TEXT("growing season"), 3, 10, 6, 20, -1};
+    if (fromEquatorDeg < coldDeg) return {NM_TEXT("growing season"), 4, 9, 6, 20, -1};
+    return {NM_TEXT("growing season"), 5, 8, 6, 20, -1};
 }
 
 }  // namespace
 
 TimeWeights makeComfortWeights(double latitudeDeg) {
-    return makeSeasons("pedestrian comfort", comfortSeasons(std::abs(latitudeDeg)), latitudeDeg);
+    return makeSeasons(NM_TEXT("pedestrian comfort"), comfortSeasons(std::abs(latitudeDeg)), latitudeDeg);
 }
 
 TimeWeights makePlantWeights(double latitudeDeg) {
-    return makeSeasons("plants", {growingSeason(std::abs(latitudeDeg))}, latitudeDeg);
+    return makeSeasons(NM_TEXT("plants"), {growingSeason(std::abs(latitudeDeg))}, latitudeDeg);
 }
 
 namespace {

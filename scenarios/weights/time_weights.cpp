@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "core/base/csv_text.h"
+#include "core/describe/text.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/files/readable_text.h"
 #include "core/study/provenance/provenance_texts.h"
@@ -91,7 +92,7 @@ std::optional<Warning> findSeasonMismatch(const TimeWeights& weights, double lat
 }
 
 TimeWeights makeMonthlyWeights() {
-    TimeWeights table{"default", {}};
+    TimeWeights table{NM_TEXT("default"), {}};
     for (unsigned i = 0; i < 12; ++i) {
         const month at{i + 1};
         table.intervals.push_back({.name = monthNames[i],

@@ -195,10 +195,9 @@ TEST_F(TreesLeftOut, SunByPlaceCountsThem) {
     EXPECT_TRUE(all.at("definitions").contains("share_enough_seasonal"));
     for (const nlohmann::json& warning : all.at("warnings"))
         EXPECT_THAT(warning.at("what").get<std::string>(), Not(testing::StartsWith("trees:")));
-    std::ifstream table(folder.path("by-place") / "places.csv");
-    std::string heading;
-    std::getline(table, heading);
-    EXPECT_THAT(heading, HasSubstr(",hours_2026-01_evergreen,"));
+    std::ifstream table(folder.path("by-place") / "places_by_time.csv");
+    const std::string rows{std::istreambuf_iterator<char>(table), {}};
+    EXPECT_THAT(rows, HasSubstr(",evergreen,2026-01,month,"));
     question.insert(question.end(), {"--tree-shade", "seasonal"});
     const nlohmann::json seasonal = noonmarkCli(question).json();
     EXPECT_FALSE(seasonal.at("places").at(0).contains("hours_mean_evergreen"));

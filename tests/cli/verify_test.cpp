@@ -85,6 +85,7 @@ TEST_F(VerifyCommand, AgreesWithSunByPlace) {
         EXPECT_EQ(output.code, exitOk) << output.err << output.out;
         EXPECT_GT(output.json()["figures"]["compared"], 50);
         EXPECT_EQ(output.json()["tables"][0]["name"], "places.csv");
+        EXPECT_EQ(output.json()["tables"][1]["name"], "places_by_time.csv");
     }
 }
 
@@ -181,6 +182,10 @@ TEST_F(VerifyCommand, AcceptsAProjectThatWasSavedAgainWithTheSameQuestion) {
         EXPECT_TRUE(std::ranges::any_of(inputs, [](const auto& file) { return file["saved_again"] == true; }))
             << inputs.dump();
     }
+    fs::rename(folder_.path("houses.geojson"), folder_.path("moved.geojson"));
+    const CommandOutput words = noonmarkCli({"verify", folder_.path("filed/study.json").string()});
+    EXPECT_EQ(words.code, exitOk);
+    EXPECT_THAT(words.out, HasSubstr("\n  houses.geojson: the project holds what was read from it\n"));
     run({"project", "extrude", project, "--scenario", "Tower", "--lot", "Lot", "--height", "30", "--id",
          "T"});
     const CommandOutput other = verify("filed/report.pdf");

@@ -106,6 +106,9 @@ TEST(SavedAnswers, AnImpactComesBackWithThresholdsAndBuildings) {
     EXPECT_TRUE(same(back.impact.grossMin, answer.study.total.grossMin));
     EXPECT_EQ(back.impact.change, answer.study.total.change) << "what was built over";
     EXPECT_EQ(std::ranges::count(back.impact.change, CellChange::becameBuilding), 25);
+    ASSERT_TRUE(back.sides);
+    EXPECT_TRUE(same(back.sides->before.grossMin, answer.study.before.grossMin));
+    EXPECT_TRUE(same(back.sides->after.grossMin, answer.study.after.grossMin));
     ASSERT_EQ(back.figures.all.size(), 2U);
     EXPECT_EQ(back.figures.all[1].thresholdMin, 60);
     EXPECT_EQ(back.figures.all[0].gross.moreShadowM2, wanted.all[0].gross.moreShadowM2);
@@ -128,7 +131,8 @@ TEST(SavedAnswers, WhatHasNoRunsComesBackWithoutThem) {
         runImpact(*town().city, cityOf(town(), "Tower")->city, answer.settings, progress, {}).value();
     const Project project =
         saved(addResult(addResult(town(), "June", existingCity, study, keptAt), "Tower", answer, keptAt));
-    for (const auto& result : project.results) EXPECT_EQ(result->layers.size(), 1U) << result->name;
+    EXPECT_EQ(project.results.at(0)->layers.size(), 1U);
+    EXPECT_EQ(project.results.at(1)->layers.size(), 3U) << "the change, and both sides";
     const auto june = readSavedAnswer(*project.results.at(0));
     ASSERT_TRUE(june) << june.error().text();
     const auto& back = std::any_cast<const SavedStudy&>(june->content);

@@ -325,7 +325,9 @@ void addByPlaceCommand(CLI::App& app, Run& run) {
         ->type_name("H");
     addSheetSwitch(*command, options->sheets);
     addSheetOptions(*command, options->sheets, {{"--date", "--sheet-date"}});
-    command->add_option(flags::out, study.out, "Folder for places.csv, places.gpkg, places.json and the maps")
+    command
+        ->add_option(flags::out, study.out,
+                     "Folder for places.csv, places_by_time.csv, places.gpkg, places.json and the maps")
         ->required()
         ->type_name("DIR");
     addOverwriteOption(*command, study.overwrite);

@@ -47,9 +47,14 @@ std::string_view stateOf(const FoundFile& file) {
     if (file.recorded.sha256.empty() && file.agrees) return "a sample, made by the program";
     if (file.isSavedAgain) return "saved again since; what the result rests on is the same";
     if (file.agrees) return "the same file";
-    if (file.path)
-        return file.recorded.needed ? "ANOTHER FILE: its hash differs" : "another file, not needed";
-    return file.recorded.needed ? "NOT FOUND" : "not found, not needed";
+    if (!file.recorded.needed) return "the project holds what was read from it";
+    return file.path ? "ANOTHER FILE: its hash differs" : "NOT FOUND";
+}
+
+// Where a file that is not read again once lay says nothing to who verifies.
+std::string nameToPrint(const FoundFile& file) {
+    const std::string& path = file.recorded.path;
+    return cleanText(file.recorded.needed || file.agrees ? path : path.substr(path.find_last_of("/\\") + 1));
 }
 
 std::string orNothing(const std::string& text) { return text.empty() ? "nothing" : text; }
@@ -57,7 +62,7 @@ std::string orNothing(const std::string& text) { return text.empty() ? "nothing"
 std::string describeFiles(const Verification& verification) {
     std::string text = "Inputs\n";
     for (const FoundFile& file : verification.files)
-        text += fmt::format("  {}: {}\n", cleanText(file.recorded.path), stateOf(file));
+        text += fmt::format("  {}: {}\n", nameToPrint(file), stateOf(file));
     if (!verification.lookedIn.empty())
         text +=
             fmt::format("Looked in {}\n", cleanText(fmt::to_string(fmt::join(verification.lookedIn, ", "))));

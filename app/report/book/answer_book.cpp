@@ -153,13 +153,18 @@ struct MapOfCity {
     std::optional<SheetMap> map{};
 };
 
+/// One of two scenarios.
+struct ComparedSide {
+    City city;
+    const ShadowField& field;
+    const std::string& name;
+};
+
 /// Gross shadow of one scenario, on a scale that both share.
-PageMap grossMap(const ImpactAnswer& answer, City city, const ShadowField& field, const Legend& legend,
-                 const std::string& name) {
-    auto owned = std::make_shared<MapOfCity>(MapOfCity{std::move(city)});
-    owned->map.emplace(SheetMap{
-        makeGrossScene(owned->city, answer.settings.study.region, field, coloursOf(legend)), legend});
-    return {{owned, &*owned->map}, {plainText(name), legend.unit}};
+PageMap grossMap(const ComparedSide& side, const Region& region, const Legend& legend) {
+    auto owned = std::make_shared<MapOfCity>(MapOfCity{side.city});
+    owned->map.emplace(SheetMap{makeGrossScene(owned->city, region, side.field, coloursOf(legend)), legend});
+    return {{owned, &*owned->map}, {plainText(side.name), legend.unit}};
 }
 
 /// The city before the change, from that after it.
@@ -170,14 +175,31 @@ City findCityBefore(const ImpactAnswer& answer, const City& after) {
     return before;
 }
 
-BookPage sideBySide(const ImpactAnswer& answer, const AnswerSource& source, const PageSetup& setup,
-                    const LegendChoice& choice) {
-    const QString title = QStringLiteral("Scenarios side by side");
-    const ShadowField& before = fieldOfColumn(answer.study.before, choice.trees);
-    const ShadowField& after = fieldOfColumn(answer.study.after, choice.trees);
+/// The same for a saved comparison, of which only the scenario's city is known: where it was open ground
+/// before, a building is new. Those that were demolished are missing.
+City findCityBefore(const SavedImpact::Sides& sides, const City& after) {
+    const Grid& grid = sides.before.grid;
+    City before = after;
+    std::erase_if(before.buildings, [&](const auto& building) {
+        const Box2 box = bounds(*building);
+        const glm::dvec2 at = (glm::dvec2(box.low + box.high) / 2.0 - glm::dvec2(grid.westM, grid.southM)) /
+                              double(grid.cellM);
+        if (at.x < 0 || at.y < 0 || at.x >= grid.columns || at.y >= grid.rows) return false;
+        const std::size_t cell = grid.index(int(at.x), int(at.y));
+        return std::isnan(sides.after.grossMin[cell]) && !std::isnan(sides.before.grossMin[cell]);
+    });
+    return before;
+}
+
+/// On the scale of the darker one.
+Legend makeSharedLegend(const ShadowField& before, const ShadowField& after, const LegendChoice& choice) {
     const bool beforeIsDarker = topOf(before, ShadowMeasure::gross) > topOf(after, ShadowMeasure::gross);
-    Legend legend = makeLegend(beforeIsDarker ? before : after, ShadowMeasure::gross, choice);
-    if (!answer.study.withTrees.empty()) nameTrees(legend, choice.trees);
+    return makeLegend(beforeIsDarker ? before : after, ShadowMeasure::gross, choice);
+}
+
+BookPage sideBySide(const ComparedSide& before, const ComparedSide& after, const Region& region,
+                    const PageSetup& setup, const Legend& legend) {
+    const QString title = QStringLiteral("Scenarios side by side");
     BookPage page{title, QStringLiteral("%1 on one scale.").arg(legend.title), title, 0, {}};
     const QRectF all = contentArea(setup);
     const double gap = 12 * textScale(setup);
@@ -185,11 +207,26 @@ BookPage sideBySide(const ImpactAnswer& answer, const AnswerSource& source, cons
                                         : QSizeF(all.width(), (all.height() - gap) / 2);
     const QPointF second = setup.landscape ? QPointF(all.left() + half.width() + gap, all.top())
                                            : QPointF(all.left(), all.top() + half.height() + gap);
-    page.items.push_back(
-        {{all.topLeft(), half},
-         grossMap(answer, findCityBefore(answer, source.city), before, legend, answer.from)});
-    page.items.push_back({{second, half}, grossMap(answer, source.city, after, legend, answer.to)});
+    page.items.push_back({{all.topLeft(), half}, grossMap(before, region, legend)});
+    page.items.push_back({{second, half}, grossMap(after, region, legend)});
     return page;
+}
+
+BookPage sideBySide(const ImpactAnswer& answer, const AnswerSource& source, const PageSetup& setup,
+                    const LegendChoice& choice) {
+    const ShadowField& before = fieldOfColumn(answer.study.before, choice.trees);
+    const ShadowField& after = fieldOfColumn(answer.study.after, choice.trees);
+    Legend legend = makeSharedLegend(before, after, choice);
+    if (!answer.study.withTrees.empty()) nameTrees(legend, choice.trees);
+    return sideBySide({findCityBefore(answer, source.city), before, answer.from},
+                      {source.city, after, answer.to}, answer.settings.study.region, setup, legend);
+}
+
+BookPage sideBySide(const SavedImpact& saved, const MapScene& scene, const BookSettings& settings) {
+    const SavedImpact::Sides& sides = *saved.sides;
+    return sideBySide({findCityBefore(sides, scene.city), sides.before, saved.figures.from},
+                      {scene.city, sides.after, saved.figures.to}, scene.region, settings.setup,
+                      makeSharedLegend(sides.before, sides.after, settings.legend));
 }
 
 QString titleOf(const Figure& figure) { return plainText(figure.label); }
@@ -366,8 +403,11 @@ Book makeSavedBook(const SavedMapBook& saved, const BookSettings& settings) {
     book.record = sheet.record;
     addMaps(book, sheet);
     if (!saved.months.groups.empty()) book.pages.push_back(sunByMonthPage(saved.months, settings));
-    if (saved.comparison)
-        appendPages(book, contributionPages(*saved.comparison, settings, settings.legend.show));
+    if (saved.comparison) {
+        if (saved.comparison->sides)
+            book.pages.push_back(sideBySide(*saved.comparison, sheet.map.scene, settings));
+        appendPages(book, contributionPages(saved.comparison->figures, settings, settings.legend.show));
+    }
     if (saved.score) {
         if (!saved.score->months.empty())
             book.pages.push_back(monthPage(*saved.score, settings, settings.legend.show));

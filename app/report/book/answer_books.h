@@ -11,6 +11,7 @@
 #include "core/study/study.h"
 #include "core/study/text/breakdown_text.h"
 #include "scenarios/impact/impact_text.h"
+#include "scenarios/project/results/saved_answer.h"
 #include "scenarios/weights/score_text.h"
 
 namespace noonmark {
@@ -34,8 +35,8 @@ Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const 
 struct SavedMapBook {
     Sheet sheet;
     std::string attribution{};
-    Bars months{};                                  ///< of a study; no groups: not measured
-    const ComparisonFigures* comparison = nullptr;  ///< of a comparison
+    Bars months{};                            ///< of a study; no groups: not measured
+    const SavedImpact* comparison = nullptr;  ///< of a comparison
     const Score* score = nullptr;
     std::string weights{};  ///< of the score: the name of its weight table
     TextBlocks note{};      ///< what was not saved and so is not shown; may be empty

@@ -174,10 +174,10 @@ Book makeElementBook(const ElementStudy& study, const ElementMap& map, const Boo
 Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
                    const SavedElements& points, const std::vector<FigureLine>& lines,
                    const BookSettings& settings) {
-    return makeSavedBook(
-        result, origin, source, lines, settings,
-        makeElevations(pointsOf(points.map, source.city, plainText(origin.period) + QStringLiteral(".")),
-                       settings));
+    return makeSavedBook(result, origin, source, lines, settings,
+                         makeElevations(pointsOf(points.map, source.city,
+                                                 plainText(origin.period.words) + QStringLiteral(".")),
+                                        settings));
 }
 
 namespace {

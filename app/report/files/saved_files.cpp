@@ -16,6 +16,7 @@
 #include "core/io/write_raster.h"
 #include "core/receivers/place_names.h"
 #include "core/receivers/rasterize.h"
+#include "core/study/by_place/place_tables.h"
 #include "core/study/elements/element_models.h"
 #include "scenarios/project/results/saved_answer.h"
 
@@ -197,7 +198,8 @@ const FileNames& savedPointNames() {
 }
 
 FileNames savedPlaceNames(std::span<const CivilDate> dates) {
-    FileNames names{"places.csv", "places.gpkg", contributionTableFile, contributionLayerFile, "result.json"};
+    FileNames names{"places.gpkg", contributionTableFile, contributionLayerFile, "result.json"};
+    for (const PlaceTable& table : placeTables()) names.emplace_back(table.file);
     std::ranges::move(placeMapNames(dates), std::back_inserter(names));
     return names;
 }
@@ -265,7 +267,8 @@ WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun,
     sun.baseline.city = city;
     const ElementTable table = makeTable(sun.baseline, sun.compared);
     OutputFolder files(folder, look.rules);
-    files.add("places.csv", textContent(toCsv(table)));
+    for (const PlaceTable& one : placeTables())
+        files.add(one.file, textContent(toCsv(one.make(sun.baseline, sun.compared))));
     const auto all = std::make_shared<const SunOfCities>(sun);
     const SunShown shown = showColumn(all, {look.legend, {}});
     files.add("places.gpkg", [&](const std::filesystem::path& file) {

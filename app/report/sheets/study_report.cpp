@@ -148,7 +148,7 @@ Headline headlineOf(const QString& subject, const SavedOrigin& origin, const Reg
     const QString name = origin.region.empty() || origin.region == "box"
                              ? QString()
                              : QStringLiteral(": ") + plainText(origin.region);
-    return {subject + name, plainText(origin.period), describePlace(region, frame)};
+    return {subject + name, plainText(origin.period.words), describePlace(region, frame)};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "core/describe/figure_text.h"
 #include "core/describe/text.h"
 #include "core/receivers/place_names.h"
+#include "core/study/by_place/place_tables.h"
 #include "core/study/by_place/sum_places.h"
 #include "core/study/by_place/sun_by_place.h"
 
@@ -75,6 +76,12 @@ struct PlaceColumn {
 };
 
 using OfPlaces = std::vector<SunOfPlace>;
+
+ElementValue namedWhole(const SunByPlace& sun, std::size_t place) {
+    return textOrNone(sun.partOf[place] ? sun.places[*sun.partOf[place]].name : std::string());
+}
+
+double cellOf(const SunOfPlace& of) { return of.cellM > 0 ? of.cellM : SunOfPlace::none; }
 
 /// The columns in their order. What they refer to must outlive them.
 class PlaceColumns {
@@ -183,9 +190,7 @@ void addCompared(PlaceColumns& columns, const SunByPlace& baseline, const Compar
 }
 
 void addWhere(PlaceColumns& columns, const SunByPlace& sun) {
-    columns.number("cell_m", minuteDecimals, [&sun](std::size_t i) {
-        return sun.sun[i].cellM > 0 ? sun.sun[i].cellM : SunOfPlace::none;
-    });
+    columns.number("cell_m", minuteDecimals, [&sun](std::size_t i) { return cellOf(sun.sun[i]); });
     columns.text("without_figures",
                  [&sun](std::size_t i) { return textOrNone(std::string(describe(sun.sun[i].status))); });
     columns.text("remarks", [&sun](std::size_t i) { return textOrNone(remarksOf(sun.sun[i])); });
@@ -196,7 +201,166 @@ void addWhere(PlaceColumns& columns, const SunByPlace& sun) {
     columns.text("source", [&sun](std::size_t i) { return ElementValue(sun.places[i].source); });
 }
 
+/// What the places get in one city with trees counted in one way, and how that differs from the baseline.
+struct CitySun {
+    const SunByPlace* city;
+    TreeColumns trees;
+    const OfPlaces* sun;
+    const OfPlaces* before = nullptr;                 ///< null: it is the baseline
+    const std::vector<SunChange>* changes = nullptr;  ///< likewise
+};
+
+// The baseline first; in each city without trees first.
+std::vector<CitySun> listSuns(const SunByPlace& baseline, std::span<const ComparedSun> compared) {
+    std::vector<CitySun> suns{{&baseline, TreeColumns::without, &baseline.sun}};
+    for (const SunWithTrees& with : baseline.withTrees) suns.push_back({&baseline, with.column, &with.sun});
+    for (const ComparedSun& one : compared) {
+        suns.push_back({&one.sun, TreeColumns::without, &one.sun.sun, &baseline.sun, &one.changes});
+        for (std::size_t i = 0; i < one.sun.withTrees.size(); ++i)
+            suns.push_back({&one.sun, one.sun.withTrees[i].column, &one.sun.withTrees[i].sun,
+                            &baseline.withTrees[i].sun, &one.changesWithTrees[i]});
+    }
+    return suns;
+}
+
+/// What a row is about.
+struct RowSubject {
+    const SunByPlace& baseline;
+    const CitySun& of;
+    std::size_t place;
+    const SunPart* part = nullptr;  ///< null: the whole period
+
+    [[nodiscard]] const SunOfPlace& sun() const { return (*of.sun)[place]; }
+    [[nodiscard]] const Place& where() const { return baseline.places[place]; }
+    [[nodiscard]] double partHours() const { return valueAt(sun().*part->hours, part->index); }
+    [[nodiscard]] double partChange() const {
+        return of.before == nullptr ? SunOfPlace::none
+                                    : partHours() - valueAt((*of.before)[place].*part->hours, part->index);
+    }
+};
+
+/// A column of rows that may be about any city, trees and part of the period.
+struct RowColumn {
+    ElementColumn column;
+    std::function<ElementValue(const RowSubject&)> of;
+};
+using RowColumns = std::vector<RowColumn>;
+
+RowColumn textColumn(const char* name, std::function<ElementValue(const RowSubject&)> of) {
+    return {{name, std::string()}, std::move(of)};
+}
+
+RowColumn numberColumn(std::string_view name, int decimals, std::function<double(const RowSubject&)> of) {
+    return {{std::string(name), 0.0, decimals}, std::move(of)};
+}
+
+RowColumns columnsOfPlace() {
+    return {textColumn("name", [](const RowSubject& row) { return row.where().name; }),
+            textColumn("kind", [](const RowSubject& row) { return std::string(nameOf(row.where().kind)); }),
+            textColumn("part_of", [](const RowSubject& row) { return namedWhole(row.baseline, row.place); }),
+            textColumn("scenario", [](const RowSubject& row) { return textOrNone(row.of.city->name); }),
+            textColumn("trees", [](const RowSubject& row) {
+                return std::string(keyOf<TreeColumns>(treeColumnChoices, row.of.trees));
+            })};
+}
+
+void addShadow(RowColumns& columns) {
+    for (const ShadowFigure& figure : shadowOfPlaceFigures())
+        columns.push_back(numberColumn(figure.key, minuteDecimals, [&figure](const RowSubject& row) {
+            return shadowMinOf(row.sun().*figure.hours, row.baseline.possibleHours);
+        }));
+}
+
+void addChanges(RowColumns& columns) {
+    for (const Figure& figure : sunChangeFigures().rows())
+        columns.push_back(numberColumn(figure.key, figure.decimals, [&figure](const RowSubject& row) {
+            return row.of.changes == nullptr ? SunChange::none : figure.get(&(*row.of.changes)[row.place]);
+        }));
+}
+
+void addWhere(RowColumns& columns) {
+    const auto middle = [](const RowSubject& row) { return middleOf(row.where(), row.baseline.city.frame); };
+    columns.push_back(
+        numberColumn("cell_m", minuteDecimals, [](const RowSubject& row) { return cellOf(row.sun()); }));
+    columns.push_back(textColumn("without_figures", [](const RowSubject& row) {
+        return textOrNone(std::string(describe(row.sun().status)));
+    }));
+    columns.push_back(
+        textColumn("remarks", [](const RowSubject& row) { return textOrNone(remarksOf(row.sun())); }));
+    columns.push_back(numberColumn("lon_deg", placeDecimals,
+                                   [middle](const RowSubject& row) { return middle(row).lonDeg; }));
+    columns.push_back(numberColumn("lat_deg", placeDecimals,
+                                   [middle](const RowSubject& row) { return middle(row).latDeg; }));
+    columns.push_back(textColumn("source", [](const RowSubject& row) { return row.where().source; }));
+}
+
+ElementTable startTable(const RowColumns& columns) {
+    ElementTable table;
+    for (const RowColumn& one : columns) table.columns.push_back(one.column);
+    return table;
+}
+
+void addRow(ElementTable& table, const RowColumns& columns, const RowSubject& subject) {
+    auto& row = table.rows.emplace_back();
+    for (const RowColumn& one : columns) row.push_back(one.of(subject));
+}
+
+ElementTable makePeriodTable(const SunByPlace& sun, std::span<const ComparedSun> compared) {
+    RowColumns columns = columnsOfPlace();
+    for (const Figure& figure : sunOfPlaceFigures().rows())
+        columns.push_back(numberColumn(figure.key, figure.decimals,
+                                       [&figure](const RowSubject& row) { return figure.get(&row.sun()); }));
+    addShadow(columns);
+    if (!compared.empty()) addChanges(columns);
+    addWhere(columns);
+    ElementTable table = startTable(columns);
+    for (std::size_t place = 0; place < sun.places.size(); ++place)
+        for (const CitySun& of : listSuns(sun, compared)) addRow(table, columns, {sun, of, place});
+    return table;
+}
+
+RowColumns columnsOfParts(bool isCompared) {
+    RowColumns columns = columnsOfPlace();
+    columns.push_back(textColumn("time", [](const RowSubject& row) { return row.part->key; }));
+    columns.push_back(
+        textColumn("time_kind", [](const RowSubject& row) { return std::string(nameOf(row.part->of)); }));
+    columns.push_back(
+        numberColumn("hours_mean", hourDecimals, [](const RowSubject& row) { return row.partHours(); }));
+    columns.push_back(numberColumn("shadow_mean_min", minuteDecimals, [](const RowSubject& row) {
+        return shadowMinOf(row.partHours(), row.part->possibleHours);
+    }));
+    columns.push_back(numberColumn("share_below", hourDecimals, [](const RowSubject& row) {
+        return row.part->of == SunPart::Of::date ? valueAt(row.sun().belowShare, row.part->index)
+                                                 : SunOfPlace::none;
+    }));
+    if (isCompared)
+        columns.push_back(numberColumn("change_hours", hourDecimals,
+                                       [](const RowSubject& row) { return row.partChange(); }));
+    return columns;
+}
+
+ElementTable makePartsTable(const SunByPlace& sun, std::span<const ComparedSun> compared) {
+    const RowColumns columns = columnsOfParts(!compared.empty());
+    ElementTable table = startTable(columns);
+    const std::vector<SunPart> parts = listParts(sun);
+    for (std::size_t place = 0; place < sun.places.size(); ++place)
+        for (const CitySun& of : listSuns(sun, compared))
+            for (const SunPart& part : parts) addRow(table, columns, {sun, of, place, &part});
+    return table;
+}
+
 }  // namespace
+
+std::string_view nameOf(SunPart::Of of) {
+    constexpr std::array<std::string_view, 3> names{"season", "month", "date"};
+    return names[std::size_t(of)];
+}
+
+std::span<const PlaceTable> placeTables() {
+    static constexpr std::array tables{PlaceTable{"places.csv", makePeriodTable},
+                                       PlaceTable{"places_by_time.csv", makePartsTable}};
+    return tables;
+}
 
 std::string hoursColumn(std::string_view of) { return fmt::format("hours_{}", of); }
 std::string shadowColumn(std::string_view of) { return fmt::format("shadow_{}_min", of); }
@@ -242,9 +406,7 @@ ElementTable makeTable(const SunByPlace& sun, std::span<const ComparedSun> compa
     columns.text("name", [&](std::size_t i) { return ElementValue(sun.places[i].name); });
     columns.text("kind",
                  [&](std::size_t i) { return ElementValue(std::string(nameOf(sun.places[i].kind))); });
-    columns.text("part_of", [&](std::size_t i) {
-        return textOrNone(sun.partOf[i] ? sun.places[*sun.partOf[i]].name : std::string());
-    });
+    columns.text("part_of", [&](std::size_t i) { return namedWhole(sun, i); });
     addCity(columns, sun, {});
     const std::vector<std::string> suffixes = suffixesOf(compared);
     for (std::size_t i = 0; i < compared.size(); ++i) addCompared(columns, sun, compared[i], suffixes[i]);

@@ -12,7 +12,7 @@
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
 #include "core/receivers/place_names.h"
-#include "core/study/by_place/sun_by_place.h"
+#include "core/study/by_place/place_tables.h"
 #include "core/study/provenance/provenance_texts.h"
 #include "core/study/study_json.h"
 #include "core/study/text/error_text.h"
@@ -50,10 +50,7 @@ struct Stated {
 };
 
 // Of a part of the period: in all of them, by the part's key.
-std::string keyOf(SunPart::Of of, std::string_view what) {
-    constexpr std::array names{"season", "month", "date"};
-    return fmt::format("{}_{}", names[std::size_t(of)], what);
-}
+std::string keyOf(SunPart::Of of, std::string_view what) { return fmt::format("{}_{}", nameOf(of), what); }
 
 double hoursIn(const std::vector<double>& parts, std::size_t i) {
     return i < parts.size() ? parts[i] : SunOfPlace::none;

@@ -105,7 +105,7 @@ private:
              const TreeContribution* tree) {
         layer_.outlines.push_back(std::move(outline));
         std::vector<ElementValue>& values = layer_.table.rows.emplace_back();
-        for (const std::string& text : {of.place, of.kind, of.period,
+        for (const std::string& text : {of.place, of.kind, of.period.words,
                                         std::string(tree != nullptr ? "tree" : "building"), row.id, row.name})
             values.emplace_back(text);
         addValues(values, contributionFigures().rows(), &row);

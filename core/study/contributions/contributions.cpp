@@ -8,6 +8,7 @@
 
 #include "core/base/csv_text.h"
 #include "core/city/trees/tree.h"
+#include "core/describe/field_json.h"
 #include "core/describe/figure_text.h"
 #include "core/describe/shown_as.h"
 #include "core/describe/text.h"
@@ -17,6 +18,7 @@
 #include "core/study/provenance/provenance_texts.h"
 #include "core/study/text/breakdown_text.h"
 #include "core/study/text/error_text.h"
+#include "core/sun/period_fields.h"
 
 namespace noonmark {
 
@@ -351,6 +353,11 @@ std::optional<Contribution> parseTree(const Json& json, TreeColumns column) {
     return one;
 }
 
+StatedPeriod periodOf(const Json& table) {
+    return {table.value("period", std::string()),
+            readStatedPeriod(table.value("asked_period", Json())).asked};
+}
+
 }  // namespace
 
 nlohmann::ordered_json treeContributionsJson(const std::vector<TreeContribution>& trees) {
@@ -380,7 +387,7 @@ std::vector<TreeContribution> parseTreeContributions(const nlohmann::ordered_jso
 ContributionTable makeContributionTable(const PlaceContributions& of) {
     return {.place = of.place.name,
             .kind = std::string(nameOf(of.place.kind)),
-            .period = formatText(of.period),
+            .period = statePeriod(of.period),
             .engine = of.breakdown.engine,
             .cells = of.cells,
             .sunlitMinutesPerDay = of.sunlitMinutesPerDay,
@@ -391,7 +398,7 @@ ContributionTable makeContributionTable(const PlaceContributions& of) {
 
 std::vector<ContributionTable> withContributions(std::vector<ContributionTable> all, ContributionTable more) {
     std::erase_if(all, [&](const ContributionTable& old) {
-        return old.place == more.place && (old.period == more.period || old.period.empty());
+        return old.place == more.place && (old.period.words == more.period.words || old.period.words.empty());
     });
     all.push_back(std::move(more));
     return all;
@@ -404,12 +411,14 @@ std::string withContributions(std::string json, const std::vector<ContributionTa
     for (const ContributionTable& of : all) {
         answer[keptKey].push_back({{"place", of.place},
                                    {"kind", of.kind},
-                                   {"period", of.period},
+                                   {"period", of.period.words},
                                    {"months", of.months},
                                    {"engine", of.engine},
                                    {"cells", of.cells},
                                    {"sunlit_min_per_day", of.sunlitMinutesPerDay},
                                    {"buildings", rowsJson(of.rows)}});
+        if (of.period.asked)
+            answer[keptKey].back()["asked_period"] = fieldsJson(periodFields().of(*of.period.asked));
         if (!of.trees.empty()) answer[keptKey].back()["trees"] = treeContributionsJson(of.trees);
     }
     return toJsonText(answer);
@@ -420,7 +429,7 @@ std::vector<ContributionTable> parseContributions(const Json& answer) {
     for (const Json& of : answer.value(keptKey, Json::array()))
         all.push_back({.place = of.at("place"),
                        .kind = of.at("kind"),
-                       .period = of.value("period", std::string()),
+                       .period = periodOf(of),
                        .engine = of.at("engine"),
                        .cells = of.at("cells"),
                        .sunlitMinutesPerDay = of.at("sunlit_min_per_day"),
@@ -439,7 +448,7 @@ std::string contributionsCsv(const std::vector<ContributionTable>& all, const Pr
     const SourceValues source = sourceValues(provenance);
     for (const ContributionTable& of : all)
         for (const Contribution& row : of.rows) {
-            csv.text(of.place).text(of.kind).text(of.period).text(row.id).text(row.name);
+            csv.text(of.place).text(of.kind).text(of.period.words).text(row.id).text(row.name);
             addRow(csv, row, months.size(), source);
         }
     return csv.take();

@@ -225,8 +225,10 @@ std::string placeTreesCsv(const std::vector<ContributionTable>& all, const Prove
     for (const ContributionTable& of : all)
         for (const TreeContribution& tree : of.trees)
             for (const auto& [column, one] : tree.columns) {
-                csv.text(of.place).text(of.kind).text(of.period).text(
-                    std::string(keyOf<TreeColumns>(treeColumnChoices, column)));
+                csv.text(of.place)
+                    .text(of.kind)
+                    .text(of.period.words)
+                    .text(std::string(keyOf<TreeColumns>(treeColumnChoices, column)));
                 csv.text(one.id).text(one.name);
                 addFigures(csv, contributionFigures().of(one));
                 addSource(csv, source);

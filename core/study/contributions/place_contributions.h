@@ -5,6 +5,7 @@
 #include "core/io/elements/write_elements.h"
 #include "core/receivers/place.h"
 #include "core/study/contributions/contributions.h"
+#include "core/sun/stated_period.h"
 
 namespace noonmark {
 
@@ -46,9 +47,9 @@ Result<PlaceContributions> computePlaceContributions(const SunOfCities& sun, std
 
 /// What buildings take from a place, as an answer keeps it: without maps.
 struct ContributionTable {
-    std::string place;   ///< its name
-    std::string kind;    ///< nameOf(PlaceKind)
-    std::string period;  ///< in words; empty: saved by a version that did not state it
+    std::string place;      ///< its name
+    std::string kind;       ///< nameOf(PlaceKind)
+    StatedPeriod period{};  ///< words empty: saved by a version that did not state it
     std::string engine;
     std::size_t cells = 0;
     double sunlitMinutesPerDay = 0;

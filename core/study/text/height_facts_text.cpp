@@ -10,6 +10,7 @@
 #include "core/base/safe_text.h"
 #include "core/city/terrain/building_ground.h"
 #include "core/describe/text.h"
+#include "core/io/heights/unknown_fields.h"
 #include "core/io/pieces/read_part.h"
 #include "core/io/read_city.h"
 #include "core/sun/zone_country.h"
@@ -206,6 +207,10 @@ Json heightsJson(const HeightCounts& counts, const HeightFacts& facts) {
 namespace {
 constexpr std::array warningKinds{WarningKind::repaired, WarningKind::clipped, WarningKind::dropped,
                                   WarningKind::leftOut, WarningKind::assumed};
+
+// That a whole file has no heights is said of each of its buildings, too.
+bool isOfFeature(const Warning& warning) { return !warning.what.starts_with(noFieldKnown); }
+
 }  // namespace
 
 Json changesJson(const Warnings& warnings) {
@@ -213,7 +218,9 @@ Json changesJson(const Warnings& warnings) {
     for (const WarningKind kind : warningKinds) {
         std::string key(nameOf(kind));
         std::ranges::replace(key, ' ', '_');
-        json[key] = std::ranges::count(warnings, kind, &Warning::kind);
+        json[key] = std::ranges::count_if(warnings, [kind](const Warning& warning) {
+            return warning.kind == kind && isOfFeature(warning);
+        });
     }
     json["duplicates"] = std::ranges::count_if(
         warnings, [](const Warning& warning) { return warning.what.starts_with(secondBuilding); });

@@ -93,9 +93,14 @@ std::vector<SavedLayer> layersOf(const ShadowField& field) {
     return layers;
 }
 
-std::vector<SavedLayer> layersOf(const Impact& impact) {
+std::vector<SavedLayer> layersOf(const ImpactStudy& study) {
+    const Impact& impact = study.total;
     std::vector<SavedLayer> layers{{"change of gross shadow", "min/day", impact.grossMin}};
     if (hasRuns(impact)) layers.push_back({"change of continuous shadow", "min", impact.continuousMin});
+    for (const auto& [name, field] :
+         {std::pair(beforeLayer, &study.before), std::pair(afterLayer, &study.after)})
+        if (field->grossMin.size() == impact.grid.size())
+            layers.push_back({name, "min/day", field->grossMin});
     return layers;
 }
 
@@ -171,7 +176,7 @@ SavedResult makeSavedResult(const Project& project, const ImpactAnswer& answer, 
             withOrigin(impactJson(answer), originOf(project, answer, at)),
             inputsOf(project),
             impact.grid,
-            layersOf(impact)};
+            layersOf(answer.study)};
 }
 
 SavedResult makeSavedResult(const Project& project, const ScoreAnswer& answer, std::chrono::sys_seconds at) {

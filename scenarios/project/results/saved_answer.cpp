@@ -64,9 +64,10 @@ SavedOrigin originOf(const Json& json) {
             saved.value("question_sha256", ""),
             textOf(json, "program"),
             textOf(json, json.contains("engine_settings") ? "engine_settings" : "engine_used"),
-            textOf(json.value("period", Json::object()), "text"),
+            readStatedPeriod(json.value("period", Json::object())),
             region.is_object() ? textOf(region, "name") : textOf(json, "region"),
-            weightsOf(json, saved)};
+            weightsOf(json, saved),
+            textOf(json, "rule_name")};
 }
 
 // Older results store only the requested step length, which was used as it was.
@@ -137,6 +138,22 @@ SavedStudy studyOf(const SavedResult& result, const Json& json) {
     return study;
 }
 
+std::optional<SavedImpact::Sides> sidesOf(const SavedResult& result, const Impact& impact) {
+    const auto fieldOf = [&](const std::string& name) {
+        ShadowField field;
+        field.grid = impact.grid;
+        if (const SavedLayer* layer = findLayer(result, name)) field.grossMin = layer->values;
+        field.sunlitMinutesPerDay = impact.sunlitMinutesPerDay;
+        field.stepMinutes = impact.stepMinutes;
+        return field;
+    };
+    SavedImpact::Sides sides{fieldOf(beforeLayer), fieldOf(afterLayer)};
+    const auto isWhole = [&](const ShadowField& field) {
+        return field.grossMin.size() == impact.grid.size();
+    };
+    return isWhole(sides.before) && isWhole(sides.after) ? std::optional(std::move(sides)) : std::nullopt;
+}
+
 SavedImpact impactOf(const SavedResult& result, const Json& json) {
     SavedImpact saved{{}, parseComparison(json)};
     Impact& impact = saved.impact;
@@ -148,6 +165,7 @@ SavedImpact impactOf(const SavedResult& result, const Json& json) {
     impact.sunlitMinutesPerDay = json.at("sunlit_min_per_day");
     impact.stepMinutes = countedStepOf(json);
     impact.engine = saved.figures.engine;
+    saved.sides = sidesOf(result, impact);
     return saved;
 }
 

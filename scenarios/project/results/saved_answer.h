@@ -17,6 +17,7 @@
 #include "core/study/contributions/place_contributions.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/text/breakdown_text.h"
+#include "core/sun/stated_period.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/project/project.h"
 #include "scenarios/weights/score.h"
@@ -32,15 +33,19 @@ struct SavedOrigin {
     std::string questionSha256;                         ///< hashQuestion() of its settings; empty likewise
     std::string program;                                ///< "Noonmark 0.1.0"
     std::string engine;                                 ///< name and settings, as text
-    std::string period;                                 ///< as text
-    std::string region;                                 ///< its name; may be empty
+    StatedPeriod period;
+    std::string region;                  ///< its name; may be empty
     std::optional<TimeWeights> weights;  ///< score: the table at that time; empty where not stored
+    std::string rule{};                  ///< review: the name of its rule; empty likewise
 };
 
 /// The names of a study's layers; with trees they end in layerEnding().
 inline const std::string grossLayer = "gross shadow", runLayer = "continuous shadow";
 /// ", trees as evergreens"
 std::string layerEnding(TreeColumns column);
+/// Further layers of a comparison: the shadow that its change is the difference of.
+inline const std::string beforeLayer = "gross shadow of the baseline",
+                         afterLayer = "gross shadow of the scenario";
 
 struct SavedStudy {
     ShadowField field;  ///< without cost and warnings; with trees where the version stored their maps
@@ -62,6 +67,11 @@ struct SavedStudy {
 struct SavedImpact {
     Impact impact;  ///< cells that were built over count as outside where the version did not store them
     ComparisonFigures figures;
+    /// Gross shadow of both, without trees. None: the version stored the change alone.
+    struct Sides {
+        ShadowField before, after;
+    };
+    std::optional<Sides> sides{};
 };
 
 struct SavedScore {

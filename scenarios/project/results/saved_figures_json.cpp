@@ -92,7 +92,7 @@ ShadowStatistics parseStatistics(const Json& study) { return readFigures(shadowF
 
 ComparisonFigures parseComparison(const Json& impact) {
     ComparisonFigures figures{
-        impact.at("from"),           impact.at("to"), {}, {}, impact.at("period").at("text"),
+        impact.at("from"),           impact.at("to"), {}, {}, readStatedPeriod(impact.at("period")),
         impact.at("engine_settings")};
     figures.waterM2 = impact.value("water_m2", 0.0);
     figures.errors = savedErrors(impact);

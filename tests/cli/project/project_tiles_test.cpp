@@ -134,8 +134,12 @@ TEST_F(ProjectTiles, SunByPlaceIsThatOfOneCommandToTheLastDigit) {
     const CommandOutput output = noonmarkCli(alone);
     ASSERT_EQ(output.code, 0) << output.err;
     const auto textOf = [&](const char* file) { return readBytes(folder_.path(file)); };
-    EXPECT_EQ(textOf("plan/merged/places.csv"), textOf("out/places.csv"));
-    EXPECT_THAT(textOf("out/places.csv"), HasSubstr("change_hours_existing"));
+    for (const char* table : {"places.csv", "places_by_time.csv"}) {
+        EXPECT_EQ(textOf(("plan/merged/" + std::string(table)).c_str()),
+                  textOf(("out/" + std::string(table)).c_str()));
+        EXPECT_THAT(textOf(("out/" + std::string(table)).c_str()),
+                    testing::AllOf(HasSubstr(",change_hours"), HasSubstr(",Existing,without,")));
+    }
     const auto tiled = nlohmann::json::parse(textOf("plan/merged/places.json")),
                whole = nlohmann::json::parse(textOf("out/places.json"));
     EXPECT_EQ(tiled["places"], whole["places"]);

@@ -25,6 +25,8 @@ TEST(MadeNames, AreFoundAsTheyWereMade) {
     expectMade(madeNames::between, {"Rue Grimaldi", "Rue Baron", "Place d'Armes"});
     expectMade(madeNames::at, {"Rue Grimaldi", "Rue Baron"});
     for (const std::string_view wind : madeNames::winds) expectMade(wind, {"Main Street", "2nd Avenue"});
+    for (const std::string_view whole : {madeNames::wholeCity, madeNames::cityMiddle}) expectMade(whole, {});
+    expectMade(madeNames::around, {"Tower, east"});
     expectMade(madeNames::severalSources, {"OSM way 12", "3"});
 }
 

@@ -13,6 +13,7 @@
 #include <QTranslator>
 #include <clocale>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "app/gui/base/looks/language.h"
 #include "app/gui/base/widgets/error_text.h"
@@ -211,15 +212,27 @@ TEST_F(Languages, RulesTheirPlacesAndCountriesAreTranslated) {
 
 TEST_F(Languages, PeriodsAreStatedInTheLanguageAlsoWhereTheyWereSaved) {
     use(Language::german);
-    EXPECT_EQ(periodText(std::string("2026-06-21, 1 day, 09:00 for 6 h, every 1 min, Europe/Berlin")),
+    const auto saved = [](const char* json) {
+        return periodText(readStatedPeriod(nlohmann::ordered_json::parse(json)));
+    };
+    EXPECT_EQ(saved(R"({"text": "words", "start": "2026-06-21", "days": 1, "window": null, "from": "09:00",
+                        "hours": 6.0, "step_min": 1.0, "zone": "Europe/Berlin", "refraction": true})"),
               QStringLiteral("21. Juni 2026, 09:00 bis 15:00, alle 1 min, Europe/Berlin"));
-    EXPECT_EQ(
-        periodText(std::string("2026-06-21, 1 day, sunrise..sunset, every 0.5 min, UTC, no refraction")),
-        QStringLiteral(
-            "21. Juni 2026, Sonnenaufgang bis Sonnenuntergang, alle 0,5 min, UTC, ohne Refraktion"));
-    EXPECT_EQ(periodText(std::string("of another version")), QStringLiteral("of another version"));
+    EXPECT_EQ(saved(R"({"text": "words", "start": "2026-06-21", "days": 1, "from": null, "hours": null,
+                        "window": {"after_sunrise_min": 0, "before_sunset_min": 0,
+                                   "sunrise_altitude_deg": -0.8333},
+                        "step_min": 0.5, "zone": "UTC", "refraction": false})"),
+              QStringLiteral(
+                  "21. Juni 2026, Sonnenaufgang bis Sonnenuntergang, alle 0,5 min, UTC, ohne Refraktion"));
+    EXPECT_EQ(saved(R"({"text": "of another version"})"), QStringLiteral("of another version"));
     const Period moment{.hours = 0};
-    EXPECT_EQ(periodText(formatText(moment)), periodText(moment));
+    EXPECT_EQ(periodText(statePeriod(moment)), periodText(moment));
+}
+
+TEST_F(Languages, NamesThatTheProgramGaveAreShownInTheLanguage) {
+    use(Language::german);
+    EXPECT_EQ(weightName("January"), QStringLiteral("Januar"));
+    EXPECT_EQ(weightName("lunch in March"), QStringLiteral("lunch in March")) << "the user's";
 }
 
 TEST_F(Languages, ButtonsOfQtSpeakTheLanguageWithoutItsOwnTranslations) {

@@ -13,6 +13,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QStandardItemModel>
 #include <QTableView>
@@ -24,6 +25,7 @@
 #include "app/gui/docks/export/movie_actions.h"
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/sheets/book_view.h"
+#include "app/gui/docks/sheets/sheet_form.h"
 #include "app/gui/view/time/time_strip.h"
 #include "tests/gui/answers_window.h"
 
@@ -171,10 +173,19 @@ TEST_F(ExportWindow, SheetsAreShownBeforeTheyAreFiledWithTheProjectBeside) {
     auto* dialog = openDialog<ExportDialog>("Ctrl+E");
     ASSERT_NE(dialog, nullptr);
     ASSERT_TRUE(waitFor([&] { return !dialog->busy(); }));
-    EXPECT_FALSE(dialog->pages().isVisible()) << "none are asked for";
+    EXPECT_TRUE(dialog->pages().picture().isNull()) << "none are asked for";
+    const QRect before = dialog->geometry();
     fieldOf<QCheckBox>(*dialog, "exportSheets")->setChecked(true);
     ASSERT_TRUE(waitFor([&] { return !dialog->busy() && !dialog->pages().picture().isNull(); }));
-    EXPECT_TRUE(dialog->pages().isVisible());
+    EXPECT_EQ(dialog->geometry(), before) << "nothing moves under the pointer";
+    const auto* form = dialog->findChild<SheetForm*>();
+    ASSERT_NE(form, nullptr);
+    const auto* scroll = qobject_cast<QScrollArea*>(form->parentWidget()->parentWidget());
+    ASSERT_NE(scroll, nullptr);
+    const auto* folderRow = fieldOf<QPushButton>(*dialog, "exportBrowse");
+    EXPECT_EQ(scroll->mapTo(dialog, QPoint(scroll->width(), 0)).x(),
+              folderRow->mapTo(dialog, QPoint(folderRow->width(), 0)).x())
+        << "its scroll bar is at the edge of the fields";
     EXPECT_FALSE(fieldOf<QPushButton>(*dialog, "exportOpenFolder")->isEnabled()) << "nothing is written";
     fieldOf<QCheckBox>(*dialog, "exportWithProject")->setChecked(true);
     write(*dialog);

@@ -6,6 +6,7 @@
 
 #include "app/gui/base/layers/field_picture.h"
 #include "app/gui/base/layers/hover_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/report/maps/answer_legends.h"
 #include "core/measures/shadow_figures.h"
@@ -135,8 +136,6 @@ ShadowMeasure chooseShownMeasure(const GroundAnswer& answer, ShadowMeasure wante
     return answer.grossOnly ? ShadowMeasure::gross : wanted;
 }
 
-QString nameOf(const std::string& name) { return QString::fromStdString(name); }
-
 double sunlitMinOf(const GroundAnswer::Map& map) {
     return over(
         map, [](const Score&) { return 0.0; },
@@ -186,8 +185,10 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study) {
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const PartialField>& partial) {
     return {std::shared_ptr<const ShadowField>(partial, &partial->field), nullptr,
-            QObject::tr("So far: %1 (%2 %)").arg(nameOf(partial->part)).arg(int(partial->share * 100)), true,
-            !hasRuns(partial->field)};
+            QObject::tr("So far: %1 (%2 %)")
+                .arg(QString::fromStdString(partial->part))
+                .arg(int(partial->share * 100)),
+            true, !hasRuns(partial->field)};
 }
 
 GroundAnswer markMissingRuns(GroundAnswer answer) {
@@ -200,7 +201,7 @@ GroundAnswer markMissingRuns(GroundAnswer answer) {
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& comparison) {
     const QString names =
-        QObject::tr("%1 compared with %2").arg(nameOf(comparison->to), nameOf(comparison->from));
+        QObject::tr("%1 compared with %2").arg(scenarioName(comparison->to), scenarioName(comparison->from));
     const auto noteOf = [&](ShadowMeasure measure) {
         const QString error = describeError(comparison->study.error, measure);
         return error.isEmpty() ? names : QObject::tr("%1. %2").arg(names, error);
@@ -244,12 +245,11 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
     std::vector<GroundAnswer::Column> columns;
     for (const ShadedScore& with : score->score.withTrees)
         if (!with.score.empty()) columns.push_back({with.column, showColumn(all, with.column), false});
-    return {
-        .map = all,
-        .note =
-            QObject::tr("%1 with the weights %2").arg(nameOf(score->scenario), nameOf(score->weights.name)),
-        .when = describeWhen(score->settings.period),
-        .withTrees = std::move(columns)};
+    return {.map = all,
+            .note = QObject::tr("%1 with the weights %2")
+                        .arg(scenarioName(score->scenario), weightName(score->weights.name)),
+            .when = describeWhen(score->settings.period),
+            .withTrees = std::move(columns)};
 }
 
 QString makeNote(const GroundAnswer& answer, ShadowMeasure measure, ShownAs show) {

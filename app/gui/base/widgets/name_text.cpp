@@ -1,5 +1,6 @@
 #include "app/gui/base/widgets/name_text.h"
 
+#include <QLocale>
 #include <QObject>
 
 #include "app/gui/base/widgets/error_text.h"
@@ -13,6 +14,13 @@ QString scenarioName(const std::string& name) {
 }
 
 QString ruleName(std::string_view name) { return translated(name); }
+
+QString weightName(const std::string& name) {
+    const QString english = QString::fromStdString(name);
+    for (int month = 1; month <= 12; ++month)
+        if (QLocale::c().standaloneMonthName(month) == english) return QLocale().standaloneMonthName(month);
+    return translated(name);
+}
 
 QString nameOfTree(const Contribution& tree) {
     return QObject::tr("Tree %1", "its species or number").arg(QString::fromStdString(nameOf(tree)));

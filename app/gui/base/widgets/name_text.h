@@ -11,6 +11,9 @@ namespace noonmark {
 /// A scenario; the existing city is one, too.
 QString scenarioName(const std::string& name);
 
+/// A weight table or an interval of one: "default", "January".
+QString weightName(const std::string& name);
+
 /// A rule's name, its place or its country.
 QString ruleName(std::string_view name);
 

@@ -139,34 +139,8 @@ QString periodText(const Period& period) {
     return parts.join(QStringLiteral(", "));
 }
 
-namespace {
-
-std::optional<Period> parsePeriod(const QString& stated) {
-    static const QRegularExpression form(QStringLiteral(
-        R"(^([\d-]+), ([\d,]+) days?, (?:(sunrise\S*sunset\S*)|at ([\d:]+)|([\d:]+) for (\S+) h)(?:, every (\S+) min)?, ([^,]+)(, no refraction)?$)"));
-    const auto match = form.match(stated);
-    const auto part = [&match](int i) { return match.captured(i).toStdString(); };
-    const auto start = parseDate(part(1));
-    if (!match.hasMatch() || !start) return std::nullopt;
-    Period period{.start = *start, .days = match.captured(2).remove(u',').toInt(), .hours = 0};
-    const auto from = parseTimeOfDay(part(4).empty() ? part(5) : part(4));
-    const auto window = parseSolarHours(part(3));
-    if (!part(3).empty() ? !window : !from) return std::nullopt;
-    if (from) period.from = *from;
-    if (!part(3).empty()) period.window = *window;
-    if (!part(6).empty()) period.hours = match.captured(6).toDouble();
-    if (!part(7).empty()) period.stepMinutes = match.captured(7).toDouble();
-    period.zone = part(8);
-    period.refraction = part(9).empty();
-    return period;
-}
-
-}  // namespace
-
-QString periodText(const std::string& stated) {
-    const QString text = QString::fromStdString(stated);
-    const auto period = parsePeriod(text);
-    return period ? periodText(*period) : text;
+QString periodText(const StatedPeriod& stated) {
+    return stated.asked ? periodText(*stated.asked) : QString::fromStdString(stated.words);
 }
 
 QDate parseDay(const QString& text, QDate shown) {

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/sun/civil_time.h"
-#include "core/sun/period.h"
+#include "core/sun/stated_period.h"
 
 namespace noonmark {
 
@@ -64,8 +64,8 @@ QString describeWhen(const Period& period);
 
 /// The same with its step and zone: "21 March 2026, 09:00 to 15:00, every 1 min, Europe/Berlin".
 QString periodText(const Period& period);
-/// The same of a text of formatText(Period), as answers and projects state it; another text stays as it is.
-QString periodText(const std::string& stated);
+/// The same; in English where the answer has no more than words.
+QString periodText(const StatedPeriod& stated);
 
 /// "+" before the text of a value above zero, but not where it states zero as rounded.
 QString withPlus(double value, const QString& text);

@@ -24,6 +24,35 @@ namespace {
 constexpr float aroundM = 80;
 constexpr float aroundTreeM = 40;
 
+glm::dvec2 middleOf(const Box2& box) { return (glm::dvec2(box.low) + glm::dvec2(box.high)) * 0.5; }
+
+// The place and the buildings that take nine tenths of its shadow; those that take little may stand far away.
+Box2 boxOfShaders(const Place& place, const std::vector<ContributionRow>& rows) {
+    constexpr double shownShare = 0.9;
+    Box2 box = bounds(place);
+    double share = 0;
+    for (const ContributionRow& row : rows) {
+        if (share >= shownShare) break;
+        share += row.share;
+        if (!row.building) continue;
+        const Box2 one = bounds(*row.building);
+        box = {glm::min(box.low, one.low), glm::max(box.high, one.high)};
+    }
+    return box;
+}
+
+bool isInSight(const CityView& view, const City& city, const Box2& box) {
+    const ViewLens lens = view.lens();
+    for (const glm::vec2 corner :
+         {box.low, glm::vec2(box.high.x, box.low.y), box.high, glm::vec2(box.low.x, box.high.y)}) {
+        const glm::dvec2 at(corner);
+        const auto pixel = pixelOf(view.pose(), lens, {at.x, at.y, double(groundAt(city, at))});
+        if (!pixel || pixel->x < 0 || pixel->y < 0 || pixel->x > lens.widthPx || pixel->y > lens.heightPx)
+            return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 const Place* findPlaceAt(const std::vector<Place>& places, glm::dvec2 point) {
@@ -114,13 +143,14 @@ const ContributionTable* ContributionLinks::savedTable() const {
 }
 
 // A saved answer about places states its dates, not its period.
-bool ContributionLinks::isOfShownTime(const std::string& period) const {
+bool ContributionLinks::isOfShownTime(const StatedPeriod& period) const {
     const auto shown = sunOf(workbench_.answer());
-    if (!shown || period.empty()) return true;
+    if (!shown || period.words.empty()) return true;
     const SunByPlaceSettings& settings = shown->baseline.settings;
     const auto date = dateOf(*shown);
-    if (sun()) return period == formatText(periodOf(settings, date));
-    return !date || period.starts_with(formatText(*date) + ", 1 day,");
+    if (sun()) return period.words == formatText(periodOf(settings, date));
+    if (period.asked) return !date || (period.asked->start == *date && period.asked->days == 1);
+    return !date || period.words.starts_with(formatText(*date) + ", 1 day,");
 }
 
 std::optional<CivilDate> ContributionLinks::dateOf(const SunOfCities& sun) const {
@@ -148,6 +178,11 @@ std::optional<Place> ContributionLinks::subject() const {
 }
 
 void ContributionLinks::refresh() {
+    showSheet();
+    keepInSight();
+}
+
+void ContributionLinks::showSheet() {
     if (const auto comparison = workbench_.answerAs<ImpactAnswer>(); comparison && workbench_.city()) {
         const auto place = dock_.subject().empty() ? std::nullopt : subject();
         return dock_.show(makeContributionSheet(*comparison, workbench_.city()->city(),
@@ -168,7 +203,10 @@ void ContributionLinks::refresh() {
 // Where the legend shows no trees, those with their seasons are listed: they are part of who shades it.
 ContributionView ContributionLinks::view() const {
     const TreeColumns trees = panel_.legend().choice().trees;
-    return {shownAs(), trees == TreeColumns::without ? TreeColumns::seasonal : trees};
+    ContributionView view{shownAs(), trees == TreeColumns::without ? TreeColumns::seasonal : trees};
+    if (const auto place = dock_.subject().empty() ? std::nullopt : subject())
+        view.from = middleOf(bounds(*place));
+    return view;
 }
 
 // Sun by place has a switch of its own.
@@ -223,6 +261,7 @@ void ContributionLinks::choose(const std::string& place) {
     dock_.setSubject(place);
     panel_.highlightPlace(place);
     working_.drop();
+    isJustChosen_ = !place.empty();
     refresh();
     const bool other = workbench_.answerAs<ImpactAnswer>() || workbench_.answerAs<SavedContent>();
     if (other || place.empty() || savedTable() != nullptr) return;
@@ -299,6 +338,17 @@ void ContributionLinks::mark(const ContributionRow& row) {
     if (row.tree.empty()) return;
     tools_.trees().choose(row.tree);
     if (!tools_.building().all().empty()) tools_.building().select(std::nullopt);
+}
+
+// Once for each place that is chosen, as soon as its rows are there.
+void ContributionLinks::keepInSight() {
+    const auto place = isJustChosen_ ? subject() : std::nullopt;
+    const auto& rows = dock_.model().sheet().rows;
+    if (!place || rows.empty() || !workbench_.city()) return;
+    isJustChosen_ = false;
+    const Box2 box = boxOfShaders(*place, rows);
+    if (!isInSight(panel_.view(), workbench_.city()->city(), box))
+        panel_.navigator().show({box.low - aroundM, box.high + aroundM});
 }
 
 void ContributionLinks::goTo(const ContributionRow& row) {

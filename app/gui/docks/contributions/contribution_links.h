@@ -43,6 +43,7 @@ private:
     void listPlaces();
     void follow();
     void refresh();
+    void showSheet();
     void showSun();
     void showStudy(const Study& study);
     void showSaved(const SavedContent& saved);
@@ -54,12 +55,13 @@ private:
     void goTo(const ContributionRow& row);
     void markSelected();
     void colour();
+    void keepInSight();
     [[nodiscard]] ShownAs shownAs() const;
     [[nodiscard]] ContributionView view() const;
     [[nodiscard]] std::shared_ptr<const SunOfCities> sun() const;
     [[nodiscard]] std::optional<std::size_t> placeOfSun() const;
     [[nodiscard]] const ContributionTable* savedTable() const;
-    [[nodiscard]] bool isOfShownTime(const std::string& period) const;
+    [[nodiscard]] bool isOfShownTime(const StatedPeriod& period) const;
     [[nodiscard]] std::optional<CivilDate> dateOf(const SunOfCities& sun) const;
     [[nodiscard]] std::optional<Place> subject() const;
     [[nodiscard]] std::optional<std::uint32_t> indexOf(const Building& building) const;
@@ -71,6 +73,7 @@ private:
     std::shared_ptr<const Study> study_;
     std::map<std::string, std::shared_ptr<const PlaceContributions>> known_;  ///< of study_, by place
     std::optional<std::size_t> date_;
+    bool isJustChosen_ = false;  ///< the view is to show who shades the place that was chosen
     JobSlot working_;
 };
 

@@ -1,8 +1,13 @@
 #include "app/gui/docks/contributions/contribution_sheet.h"
 
+#include <QCoreApplication>
 #include <QObject>
+#include <QUuid>
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
+#include <numbers>
 
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/error_text.h"
@@ -62,11 +67,45 @@ ContributionRow makeTreeRow(const Contribution& one) {
     return row;
 }
 
-ContributionRow makeRow(const Contribution& one, const City& city) {
+QString describeDirection(const glm::dvec2& by) {
+    static constexpr std::array winds{QT_TRANSLATE_NOOP("noonmark::Contributions", "E"),
+                                      QT_TRANSLATE_NOOP("noonmark::Contributions", "NE"),
+                                      QT_TRANSLATE_NOOP("noonmark::Contributions", "N"),
+                                      QT_TRANSLATE_NOOP("noonmark::Contributions", "NW"),
+                                      QT_TRANSLATE_NOOP("noonmark::Contributions", "W"),
+                                      QT_TRANSLATE_NOOP("noonmark::Contributions", "SW"),
+                                      QT_TRANSLATE_NOOP("noonmark::Contributions", "S"),
+                                      QT_TRANSLATE_NOOP("noonmark::Contributions", "SE")};
+    const double eighths = std::atan2(by.y, by.x) / (2 * std::numbers::pi) * winds.size();
+    const auto at = std::size_t(std::lround(eighths) + std::ptrdiff_t(winds.size())) % winds.size();
+    return QCoreApplication::translate("noonmark::Contributions", winds[at]);
+}
+
+// "23 m high, 120 m NE": in metres and tens of metres, which tell buildings apart at sight.
+QString describeUnnamed(const Building& building, const City& city, const std::optional<glm::dvec2>& from) {
+    const Box2 box = bounds(building);
+    const glm::dvec2 middle = (glm::dvec2(box.low) + glm::dvec2(box.high)) * 0.5;
+    const QString height = describeLength(double(topM(building) - groundAt(city, middle)), 0);
+    if (!from) return QObject::tr("%1 high").arg(height);
+    constexpr double roundedM = 10;
+    const double awayM = std::round(glm::distance(middle, *from) / roundedM) * roundedM;
+    return QObject::tr("%1 high, %2 %3", "a building: its height, how far it is, in which direction")
+        .arg(height, describeLength(awayM, 0), describeDirection(middle - *from));
+}
+
+// `building`: null where it no longer stands.
+ContributionRow makeBuildingRow(const Contribution& one, std::shared_ptr<const Building> building,
+                                const City& city, const ContributionView& view) {
+    if (isReadableName(one.name) || !building)
+        return makeRow(one, nameOf(one.name, one.id), std::move(building));
+    ContributionRow row = makeRow(one, describeUnnamed(*building, city, view.from), building);
+    row.isDescribed = true;
+    return row;
+}
+
+ContributionRow makeRow(const Contribution& one, const City& city, const ContributionView& view) {
     if (!one.building) return makeRow(one, QObject::tr("Terrain"), nullptr);
-    const QString name = nameOf(one.name, one.id);
-    return makeRow(one, name.isEmpty() ? QObject::tr("Building %1").arg(*one.building) : name,
-                   city.buildings[*one.building]);
+    return makeBuildingRow(one, city.buildings[*one.building], city, view);
 }
 
 // Small amounts with two significant digits: much of a park may have hardly any shadow.
@@ -87,13 +126,17 @@ QString describeTime(double minutesADay, double sunlitMin, ShownAs show) {
         .arg(describeNumber(minutesADay), percentOf(minutesADay / sunlitMin));
 }
 
+QString wordsFor(const ContributionRow& row) {
+    return row.isDescribed ? QObject::tr("a building %1", "23 m high, 120 m NE").arg(row.name) : row.name;
+}
+
 // Buildings that the city no longer has count, too.
 QString describeLargest(const std::vector<ContributionRow>& rows, const std::vector<Contribution>& of) {
     const auto buildings =
         std::ranges::count_if(of, [](const Contribution& one) { return !one.isTree && one.id != terrainId; });
     return QObject::tr("%1 building(s) shade it; %2 takes the most, %3 %", "",
                        pluralNumber(quint64(buildings)))
-        .arg(formatCount(quint64(buildings)), rows.front().name, percentOf(rows.front().share));
+        .arg(formatCount(quint64(buildings)), wordsFor(rows.front()), percentOf(rows.front().share));
 }
 
 /// What all rows of a list take.
@@ -197,9 +240,9 @@ std::shared_ptr<const Building> recordedBuilding(const City& city, const std::st
 // Of a saved study, whose buildings have no index.
 bool isTerrain(const Contribution& one) { return one.id == terrainId; }
 
-ContributionRow makeRecordedRow(const Contribution& one, const City& city) {
+ContributionRow makeRecordedRow(const Contribution& one, const City& city, const ContributionView& view) {
     if (isTerrain(one)) return makeRow(one, QObject::tr("Terrain"), nullptr);
-    return makeRow(one, nameOf(one.name, one.id), recordedBuilding(city, one.id));
+    return makeBuildingRow(one, recordedBuilding(city, one.id), city, view);
 }
 
 QString describeChange(const ImpactAnswer& answer, double meanMin, std::size_t cells, ShownAs show) {
@@ -230,7 +273,7 @@ ContributionSheet makeContributionSheet(const Study& study, const ShadowBreakdow
                                         const std::vector<TreeContribution>& trees) {
     ContributionSheet sheet{.columns = columnsOfStudy()};
     fillSheet(sheet, rows, trees, study.field.sunlitMinutesPerDay, view,
-              [&](const Contribution& one) { return makeRow(one, study.city); });
+              [&](const Contribution& one) { return makeRow(one, study.city, view); });
     sheet.method = QString::fromStdString(breakdown.engine);
     sheet.months = makeMonthBars(study);
     return sheet;
@@ -255,7 +298,7 @@ ContributionSheet makeContributionSheet(const SavedStudy& study, const City& cit
                                         const ContributionView& view) {
     ContributionSheet sheet{.columns = columnsOfStudy()};
     fillSheet(sheet, *study.contributions, study.trees, study.field.sunlitMinutesPerDay, view,
-              [&](const Contribution& one) { return makeRecordedRow(one, city); });
+              [&](const Contribution& one) { return makeRecordedRow(one, city, view); });
     sheet.method = QString::fromStdString(study.field.engine);
     sheet.months = makeMonthBars(study.months, study.start, study.field.days);
     return sheet;
@@ -265,9 +308,10 @@ ContributionSheet makeContributionSheet(const ContributionTable& of, const City&
                                         const ContributionView& view) {
     ContributionSheet sheet{.columns = columnsOfStudy()};
     fillSheet(sheet, of.rows, of.trees, of.sunlitMinutesPerDay, view,
-              [&](const Contribution& one) { return makeRecordedRow(one, city); });
+              [&](const Contribution& one) { return makeRecordedRow(one, city, view); });
     sheet.note = QObject::tr("%1 cell(s)", "", pluralNumber(of.cells)).arg(formatCount(of.cells));
-    if (!of.period.empty()) sheet.note += QStringLiteral("; ") + QString::fromStdString(of.period);
+    if (const QString period = periodText(of.period); !period.isEmpty())
+        sheet.note += QStringLiteral("; ") + period;
     sheet.method = QObject::tr("Attributed by: %1").arg(QString::fromStdString(of.engine));
     return sheet;
 }
@@ -290,6 +334,16 @@ ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& 
     sheet.headline = describeChange(answer, mean, all.cells, show);
     sheet.method = QString::fromStdString(answer.study.total.engine);
     return sheet;
+}
+
+// Numbers of registers have no blank between words, and digits or signs among their letters.
+bool isReadableName(const std::string& name) {
+    if (name.empty()) return false;
+    if (!QUuid::fromString(QString::fromStdString(name)).isNull()) return false;
+    constexpr std::size_t lettersOfIfc = 22;  // of a GUID in base 64
+    const bool isOneWord = name.find(' ') == name.npos;
+    const auto digits = std::ranges::count_if(name, [](unsigned char c) { return std::isdigit(c) != 0; });
+    return !isOneWord || name.size() < lettersOfIfc || digits == 0;
 }
 
 std::size_t classOf(double share) {

@@ -31,6 +31,7 @@ struct ContributionRow {
     double share = 0;                          ///< of all that is listed, 0 to 1: its colour on the map
     std::vector<double> values;                ///< by column
     std::string tree;                          ///< Tree::sourceId; empty: no tree
+    bool isDescribed = false;                  ///< `name` says how high it is and where: it has no name
 };
 
 /// What the dock shows of a region or place.
@@ -48,6 +49,7 @@ struct ContributionSheet {
 struct ContributionView {
     ShownAs show = ShownAs::shadow;  ///< what sentences are about; what buildings take is shadow in both
     TreeColumns trees = TreeColumns::seasonal;  ///< where they were measured (chooseRankedColumn())
+    std::optional<glm::dvec2> from{};  ///< from where it is said in which direction a building stands
 };
 
 /// The sheet of a study: the buildings of `rows` and the trees, over the cells of `breakdown`.
@@ -67,6 +69,10 @@ ContributionSheet makeContributionSheet(const ContributionTable& of, const City&
 /// region. `after`: the city with the new buildings.
 ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& after, const Place* place,
                                         ShownAs show);
+
+/// Whether people can read it as a name: "Woolworth Building", but no number of a register
+/// ("{0C3309A9-671F-4F25-8321-5EDF03882E91}", "2O2Fr$t4X7Zf8NOew3FLOH").
+bool isReadableName(const std::string& name);
 
 std::size_t classOf(double share);     ///< index in contributionClasses
 QString describeClass(std::size_t i);  ///< "< 1 %", "1-5 %", "≥ 30 %"

@@ -167,7 +167,6 @@ void ContributionsDock::makeTable() {
     sorted_->setSourceModel(model_);
     sorted_->setSortRole(ContributionModel::valueRole);
     sorted_->setSortCaseSensitivity(Qt::CaseInsensitive);
-    table_->setTextElideMode(Qt::ElideMiddle);  // numbers of buildings differ at their ends
     table_->setObjectName(QStringLiteral("contributionTable"));
     table_->setModel(sorted_);
     table_->setSortingEnabled(true);

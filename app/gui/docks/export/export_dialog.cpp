@@ -33,7 +33,8 @@ struct OfferedWidth {
     int pixels;
 };
 constexpr int waitMs = 400;  // after an edit, before the sheets are laid out again
-constexpr int formWidth = 380;
+constexpr int formWidth = 380, previewWidth = 320;
+constexpr QSize sizeWithSheets{1120, 720}, aroundDialog{16, 48};  // of a window manager, about
 
 constexpr OfferedWidth offeredWidths[] = {
     {QT_TRANSLATE_NOOP("noonmark::ExportDialog", "Screen"), pictureWidth},
@@ -77,11 +78,13 @@ ExportDialog::ExportDialog(const ExportChoice& first, const QString& folder, Sou
     setWindowTitle(tr("Export"));
     auto* body = new QHBoxLayout;
     body->addLayout(makeFields());
+    pages_->setMinimumWidth(previewWidth);
     body->addWidget(pages_, 1);
     auto* column = new QVBoxLayout(this);
     column->addLayout(body, 1);
     column->addLayout(makeFoot());
-    pages_->hide();
+    // Room for sheets from the start: nothing moves when they are ticked.
+    resize(sizeWithSheets.boundedTo(screen()->availableSize() - aroundDialog));
     // Enter in a field ends its editing, and presses no button.
     for (QPushButton* button : findChildren<QPushButton*>()) button->setAutoDefault(false);
     soon_.setSingleShot(true);
@@ -115,7 +118,7 @@ QLayout* ExportDialog::makeFields() {
     sheets->setWidget(form_);
     sheets->setWidgetResizable(true);
     sheets->setFrameShape(QFrame::NoFrame);
-    sheets->setFixedWidth(formWidth);
+    sheets->setMinimumWidth(formWidth);
     auto* column = new QVBoxLayout;
     column->addLayout(form);
     column->addWidget(sheets, 1);
@@ -318,7 +321,6 @@ void ExportDialog::layOut() {
     }
     if (laidOutFrom_ == wanted.from) return;
     laidOutFrom_ = std::move(wanted.from);
-    makeRoom();
     using Sheets = std::shared_ptr<const Book>;
     layoutJob_.start<Sheets>(tr("Laying out the sheets"), wanted.make, [this](const Result<Sheets>& sheets) {
         if (sheets) return showSheets(*sheets);
@@ -327,32 +329,9 @@ void ExportDialog::layOut() {
     });
 }
 
-// At once, so that no field moves away from the cursor when the sheets come.
-void ExportDialog::makeRoom() {
-    if (pages_->isVisibleTo(this)) return;
-    pages_->setVisible(true);
-    growTo({1120, 720});
-}
-
 void ExportDialog::showSheets(const std::shared_ptr<const Book>& book) {
     form_->setEnabled(book != nullptr);
     pages_->show(book);
-    if (book || !pages_->isVisibleTo(this)) return;
-    pages_->hide();
-    adjustSize();
-}
-
-// Without leaving the screen.
-void ExportDialog::growTo(const QSize& size) {
-    const QRect with = frameGeometry(), without = geometry();
-    const QRect free = screen()->availableGeometry().marginsRemoved(
-        {without.left() - with.left(), without.top() - with.top(), with.right() - without.right(),
-         with.bottom() - without.bottom()});
-    QRect now = geometry();
-    now.setSize(now.size().expandedTo(size).boundedTo(free.size()));
-    now.moveLeft(std::clamp(now.left(), free.left(), free.right() + 1 - now.width()));
-    now.moveTop(std::clamp(now.top(), free.top(), free.bottom() + 1 - now.height()));
-    setGeometry(now);
 }
 
 void ExportDialog::write() {

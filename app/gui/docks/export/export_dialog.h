@@ -76,9 +76,7 @@ private:
     void takeForm();
     void showProject();
     void layOut();
-    void makeRoom();
     void showSheets(const std::shared_ptr<const Book>& book);
-    void growTo(const QSize& size);
     void write();
 
     ExportChoice first_;

@@ -313,14 +313,22 @@ bool changesTreesAlone(const SunOfCities& sun) {
            });
 }
 
+// A saved answer has no cities.
+bool changesTrees(const SunOfCities& sun) {
+    return changesTreesAlone(sun) || std::ranges::any_of(sun.compared, [&](const ComparedSun& one) {
+               return !one.changesWithTrees.empty() && one.sun.city.trees != sun.baseline.city.trees;
+           });
+}
+
 }  // namespace
 
-// The same choice as before, if the answer has that column.
+// The same choice as before, if the answer has that column. Where trees differ, that without them shows a
+// part of what has changed, or nothing.
 void PlacesDock::fillTrees() {
     const QSignalBlocker quiet(trees_);
     QVariant before = trees_->currentData();
     const bool isWithout = !before.isValid() || before.toInt() == int(TreeColumns::without);
-    if (isWithout && answer_ && changesTreesAlone(*answer_)) before = int(TreeColumns::seasonal);
+    if (isWithout && answer_ && changesTrees(*answer_)) before = int(TreeColumns::seasonal);
     trees_->clear();
     if (answer_)
         for (const TreeColumns column : listSunColumns(*answer_))

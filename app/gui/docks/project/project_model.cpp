@@ -106,7 +106,7 @@ void addRegions(ProjectNode& root, const Project& project) {
     ProjectNode& group = addGroup(root, ProjectPart::region, QObject::tr("Regions"), project.regions.size(),
                                   QObject::tr("Where shadow is measured"));
     for (const Region& region : project.regions)
-        addPart(group, region.name, qtText(region.name), describeArea(area(region)),
+        addPart(group, region.name, placeName(region.name), describeArea(area(region)),
                 QObject::tr("Press Enter or double-click to use it as the study region"));
 }
 
@@ -154,10 +154,11 @@ void addWeights(ProjectNode& root, const Project& project) {
         QObject::tr("How much shade is wanted (up to 1) or shadow unwanted (down to -1), by time of year"));
     for (const TimeWeights& table : project.weights) {
         ProjectNode& node =
-            addPart(group, table.name, qtText(table.name), {},
+            addPart(group, table.name, weightName(table.name), {},
                     QObject::tr("Press Enter or double-click to edit it and compute scores with it"));
         for (const WeightedInterval& interval : table.intervals)
-            addFact(node, QStringLiteral("%1   %2").arg(qtText(interval.name)).arg(interval.weight));
+            addFact(node, QStringLiteral("%1   %2").arg(weightName(interval.name),
+                                                        formatShort(interval.weight, 3)));
     }
 }
 

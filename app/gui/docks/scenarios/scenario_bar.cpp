@@ -58,7 +58,11 @@ void ScenarioBar::fill() {
     fillList(*scenario_, names, session_.scenario());
     baseline_->clear();
     baseline_->addItem(tr("nothing"), QString());
-    fillList(*baseline_, names, session_.baseline());
+    std::vector<std::string> others = names;
+    std::erase_if(others, [&](const std::string& name) {
+        return name == session_.scenario() && name != session_.baseline();
+    });
+    fillList(*baseline_, others, session_.baseline());
 }
 
 }  // namespace noonmark

@@ -111,7 +111,7 @@ void BookView::paint() {
     picture_ = {};
     if (!book_ || book_->pages.empty()) {
         painting_.drop();
-        sheet_->clear();
+        sheet_->setText(tr("Sheets that are to be written are shown here"));
         return;
     }
     const int shown = page();

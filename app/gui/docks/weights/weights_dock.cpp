@@ -15,6 +15,7 @@
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/docks/weights/weights_model.h"
 #include "app/gui/session/project/project_session.h"
 #include "app/report/maps/style.h"
@@ -62,8 +63,8 @@ WeightsDock::WeightsDock(ProjectSession& session, QWidget* parent)
     column->addWidget(makeButtons());
     column->addWidget(makeTemplates());
     column->addWidget(score_);
-    connect(tables_, &QComboBox::currentTextChanged, this,
-            [this](const QString& name) { choose(name.toStdString()); });
+    connect(tables_, &QComboBox::currentIndexChanged, this,
+            [this] { choose(tables_->currentData().toString().toStdString()); });
     connect(score_, &QPushButton::clicked, this, &WeightsDock::score);
     connect(model_, &WeightsModel::refused, this,
             [this](const Error& error) { report(describeError(error)); });
@@ -149,10 +150,10 @@ void WeightsDock::follow() {
     const QSignalBlocker quiet(tables_);
     tables_->clear();
     for (const TimeWeights& table : session_.project().weights)
-        tables_->addItem(QString::fromStdString(table.name));
-    const int at = tables_->findText(QString::fromStdString(model_->table().name));
+        tables_->addItem(weightName(table.name), QString::fromStdString(table.name));
+    const int at = tables_->findData(QString::fromStdString(model_->table().name));
     tables_->setCurrentIndex(std::max(at, tables_->count() > 0 ? 0 : -1));
-    if (at < 0) model_->setTable(tables_->currentText().toStdString());
+    if (at < 0) model_->setTable(tables_->currentData().toString().toStdString());
     score_->setEnabled(tables_->count() > 0);
 }
 
@@ -162,8 +163,7 @@ void WeightsDock::addTable(TimeWeights table) {
     table.name = freeName(next, ProjectPart::weights, table.name);
     const std::string name = table.name;
     next.weights.push_back(std::move(table));
-    if (session_.change(std::move(next), tr("new weight table %1").arg(QString::fromStdString(name))))
-        choose(name);
+    if (session_.change(std::move(next), tr("new weight table %1").arg(weightName(name)))) choose(name);
 }
 
 QWidget* WeightsDock::makeTemplates() {
@@ -191,7 +191,7 @@ void WeightsDock::fillTemplates(QMenu& menu) {
           makePlantWeights(latitude));
     menu.addSeparator();
     for (const TimeWeights& table : session_.project().weights)
-        offer(tr("As %1").arg(QString::fromStdString(table.name)), tr("A copy, to be changed"), table);
+        offer(tr("As %1").arg(weightName(table.name)), tr("A copy, to be changed"), table);
 }
 
 void WeightsDock::addInterval() {

@@ -3,6 +3,8 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "app/gui/base/widgets/name_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/project/project_session.h"
 #include "scenarios/weights/edit_weights.h"
 #include "scenarios/weights/time_weights.h"
@@ -42,9 +44,20 @@ QString describeDay(std::chrono::month_day day) {
         .arg(QLocale().standaloneMonthName(int(unsigned(day.month())), QLocale::ShortFormat));
 }
 
+constexpr int weightDigits = 3;
+
 QString shownText(const WeightedInterval& interval, int column) {
     if (column == WeightsModel::firstDay) return describeDay(interval.first);
     if (column == WeightsModel::lastDay) return describeDay(interval.last);
+    if (column == WeightsModel::intervalName) return weightName(interval.name);
+    if (column == WeightsModel::intervalWeight) return formatShort(interval.weight, weightDigits);
+    return QString::fromStdString(textsOf(interval).at(columns[column].key));
+}
+
+// Names and numbers are edited as they are shown.
+QString editedText(const WeightedInterval& interval, int column) {
+    if (column == WeightsModel::intervalName || column == WeightsModel::intervalWeight)
+        return shownText(interval, column);
     return QString::fromStdString(textsOf(interval).at(columns[column].key));
 }
 
@@ -99,7 +112,7 @@ bool WeightsModel::change(const Result<TimeWeights>& next) {
     Project project = session_.project();
     std::ranges::replace_if(
         project.weights, [&](const TimeWeights& one) { return one.name == table_.name; }, *next);
-    if (!session_.change(std::move(project), tr("edit weights %1").arg(QString::fromStdString(table_.name))))
+    if (!session_.change(std::move(project), tr("edit weights %1").arg(weightName(table_.name))))
         return false;
     Q_EMIT edited();
     return true;
@@ -134,8 +147,7 @@ QVariant WeightsModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
     const WeightedInterval& interval = table_.intervals[std::size_t(index.row())];
     if (role == Qt::DisplayRole) return shownText(interval, index.column());
-    if (role == Qt::EditRole)
-        return QString::fromStdString(textsOf(interval).at(columns[index.column()].key));
+    if (role == Qt::EditRole) return editedText(interval, index.column());
     if (role == Qt::UserRole) return interval.weight;
     if (role == Qt::ToolTipRole) return tr(columns[index.column()].tip);
     return {};
@@ -145,10 +157,10 @@ bool WeightsModel::setData(const QModelIndex& index, const QVariant& value, int 
     if (!index.isValid() || role != Qt::EditRole) return false;
     const auto row = std::size_t(index.row());
     auto texts = textsOf(table_.intervals[row]);
-    const std::string typed = value.toString().trimmed().toStdString();
-    std::string& text = texts.at(columns[index.column()].key);
-    if (text == typed) return true;
-    text = typed;
+    QString typed = value.toString().trimmed();
+    if (typed == editedText(table_.intervals[row], index.column())) return true;
+    if (index.column() == intervalWeight) typed.replace(QLocale().decimalPoint(), QStringLiteral("."));
+    texts.at(columns[index.column()].key) = typed.toStdString();
     const auto interval = intervalFrom(texts, tr("row %1").arg(index.row() + 1).toStdString());
     return change(interval.map([&](const WeightedInterval& one) {
         TimeWeights next = table_;

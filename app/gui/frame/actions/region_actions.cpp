@@ -9,6 +9,7 @@
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "core/io/read_region.h"
+#include "core/receivers/made_names.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -82,7 +83,7 @@ void RegionActions::takeDrawn(const std::vector<Footprint>& pieces) {
 void RegionActions::takeWholeCity() {
     if (!workbench_.city()) return;
     Region all = makeRegionFromLocalBox(panel_.view().viewBounds().box);
-    all.name = "the whole city";
+    all.name = madeNames::wholeCity;
     change(all);
 }
 
@@ -94,7 +95,8 @@ void RegionActions::takeSurroundings(std::uint32_t building) {
     const double ground = groundAt(city, glm::dvec2(box.low + box.high) / 2.0);
     const auto reach = float(std::max(50.0, 4 * (double(topM(middle)) - ground)));
     Region around = makeRegionFromLocalBox({box.low - glm::vec2(reach), box.high + glm::vec2(reach)});
-    around.name = middle.name.empty() ? "around the building" : "around " + middle.name;
+    around.name = middle.name.empty() ? std::string(madeNames::aroundBuilding)
+                                      : makeName(madeNames::around, {middle.name});
     change(around);
 }
 

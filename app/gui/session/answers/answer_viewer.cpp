@@ -10,6 +10,7 @@
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/name_text.h"
 #include "app/gui/session/answers/result_rows.h"
+#include "app/gui/session/study/region_text.h"
 #include "app/questions/glazing_question.h"
 #include "app/questions/saved_question.h"
 #include "scenarios/project/results/saved_answer.h"
@@ -26,19 +27,38 @@ std::optional<AnswerLayer> layerOfAny(const std::shared_ptr<const Answer>& answe
 
 std::vector<ResultRow> rowsOfAny(const Answer& answer, ShownAs) { return figureRows(answer.figures()); }
 
-QString titleOfAny(const Answer& answer) {
-    return QObject::tr("%1 of %2")
-        .arg(translated(answer.question().label), scenarioName(answer.part().scenario));
+const AnswerViewer anyViewer{.layer = layerOfAny, .rows = rowsOfAny};
+
+/// What titles are made of, besides scenarios and weights.
+struct TitleSource {
+    const AnswerViewer& viewer;
+    std::string question{};  ///< its label
+    std::string rule{};      ///< its name; empty: the answer is no review
+};
+
+TitleSource sourceOf(const Answer& answer) {
+    const AnswerViewer& viewer = viewerOf(answer);
+    return {viewer, std::string(answer.question().label), viewer.rule ? viewer.rule(answer) : std::string()};
 }
 
-const AnswerViewer anyViewer{.layer = layerOfAny, .rows = rowsOfAny, .ownTitle = titleOfAny};
+Sentence makeTitle(const TitleSource& source, const MeasuredPart& part) {
+    if (source.viewer.title) return source.viewer.title(part);
+    if (!source.rule.empty())
+        return {NM_TEXT("%1: %2 compared with %3"), {source.rule, part.scenario, part.baseline}};
+    return {NM_TEXT("%1 of %2"), {source.question, part.scenario}};
+}
 
-// All arguments are names of scenarios or of weight tables; those that the program gives are translated.
-QString localText(Sentence sentence) {
-    for (Sentence::Argument& one : sentence.arguments)
-        one = scenarioName(std::get<std::string>(one)).toStdString();
+// All arguments are names, of which the program gives some: the existing city, rules, questions, weights.
+std::string localName(const std::string& name) {
+    if (name == existingCity) return scenarioName(name).toStdString();
+    const std::string rule = ruleName(name).toStdString();
+    return rule == name ? weightName(name).toStdString() : rule;
+}
+
+QString localText(const Sentence& sentence) {
     std::vector<std::string> names;
-    for (const Sentence::Argument& one : sentence.arguments) names.push_back(std::get<std::string>(one));
+    for (const Sentence::Argument& one : sentence.arguments)
+        names.push_back(localName(std::get<std::string>(one)));
     return QString::fromStdString(fillIn(translated(sentence.source).toStdString(), names));
 }
 
@@ -67,19 +87,19 @@ std::optional<QString> translatedName(const std::string& name, const Sentence& t
     return QString::fromStdString(withDay(localText(title).toStdString(), day) + number);
 }
 
-QString translatedName(const std::string& name, const AnswerViewer& viewer, const MeasuredPart& part,
+QString translatedName(const std::string& name, const TitleSource& source, const MeasuredPart& part,
                        const std::string& day) {
-    for (const auto make : {viewer.title, viewer.name})
-        if (make)
-            if (const auto text = translatedName(name, make(part), day)) return *text;
+    if (const auto text = translatedName(name, makeTitle(source, part), day)) return *text;
+    if (source.viewer.name)
+        if (const auto text = translatedName(name, source.viewer.name(part), day)) return *text;
     return QString::fromStdString(name);
 }
 
 }  // namespace
 
 QString titleOf(const Answer& answer) {
-    const AnswerViewer& viewer = viewerOf(answer);
-    return viewer.ownTitle ? viewer.ownTitle(answer) : localText(viewer.title(answer.part()));
+    const auto ofSaved = viewerOf(answer).savedTitle;
+    return ofSaved ? ofSaved(answer) : localText(makeTitle(sourceOf(answer), answer.part()));
 }
 
 QString listedName(const Answer& answer) {
@@ -87,10 +107,7 @@ QString listedName(const Answer& answer) {
 }
 
 std::string storedName(const Answer& answer) {
-    const AnswerViewer& viewer = viewerOf(answer);
-    return withDay(
-        viewer.ownTitle ? viewer.ownTitle(answer).toStdString() : englishText(viewer.title(answer.part())),
-        dayOf(answer));
+    return withDay(englishText(makeTitle(sourceOf(answer), answer.part())), dayOf(answer));
 }
 
 std::string nameToSave(const Answer& answer) {
@@ -100,7 +117,7 @@ std::string nameToSave(const Answer& answer) {
 
 QString shownName(const MeasuredAnswer& measured) {
     const auto& answer = measured.known().answer;
-    return answer ? translatedName(measured.name(), viewerOf(*answer), answer->part(), dayOf(*answer))
+    return answer ? translatedName(measured.name(), sourceOf(*answer), answer->part(), dayOf(*answer))
                   : shownName(measured.toSave());
 }
 
@@ -110,18 +127,23 @@ namespace {
 struct NameParts {
     std::optional<TimeWeights> weights;
     std::string day;
+    std::string rule;  ///< of a review
 };
 
+// Words, which older versions state alone, begin with it: "2026-06-21, 1 day, ...".
+std::string firstDayOf(const StatedPeriod& period) {
+    return period.asked ? formatText(period.asked->start) : period.words.substr(0, period.words.find(','));
+}
+
 std::optional<NameParts> readNameParts(const SavedResult& result) {
-    constexpr std::size_t lettersOfDay = 10;  // "2026-06-21, 1 day, ..."
     const auto origin = readSavedOrigin(result);
     if (!origin) return std::nullopt;
-    return NameParts{origin->weights, origin->period.substr(0, lettersOfDay)};
+    return NameParts{origin->weights, firstDayOf(origin->period), origin->rule};
 }
 
 QString shownName(const SavedResult& result, const std::optional<NameParts>& parts) {
     if (!parts) return QString::fromStdString(result.name);
-    return translatedName(result.name, viewerOf(result.kind),
+    return translatedName(result.name, {viewerOf(result.kind), {}, parts->rule},
                           {result.scenario, result.baseline, {}, parts->weights}, parts->day);
 }
 
@@ -188,7 +210,7 @@ std::vector<ResultRow> rowsOfSaved(const Answer& answer, ShownAs show) {
         {QObject::tr("Scenario"), scenarioName(saved.result->scenario), {}},
         {QObject::tr("Region"),
          QObject::tr("%1\ncells of %2 m")
-             .arg(origin.region.empty() ? QObject::tr("unnamed") : qtText(origin.region))
+             .arg(origin.region.empty() ? QObject::tr("unnamed") : placeName(origin.region))
              .arg(saved.result->grid.cellM),
          {}},
         {QObject::tr("Computed by"),
@@ -220,7 +242,7 @@ const AnswerViewer& savedViewer() {
     static const AnswerViewer viewer{.question = savedQuestion().key,
                                      .layer = layerOfSaved,
                                      .rows = rowsOfSaved,
-                                     .ownTitle = titleOfSaved,
+                                     .savedTitle = titleOfSaved,
                                      .note = describeSaved};
     return viewer;
 }
@@ -231,10 +253,8 @@ namespace {
 std::vector<ResultRow> rowsOfReview(const Answer& answer, ShownAs) { return figureRows(answer.figures()); }
 
 template <class Reviewed>
-QString titleOfReview(const Answer& answer) {
-    const auto& asked = answer.as<Reviewed>()->question;
-    return QObject::tr("%1: %2 compared with %3")
-        .arg(ruleName(asked.rule.name), scenarioName(asked.to), scenarioName(asked.from));
+std::string ruleOf(const Answer& answer) {
+    return answer.as<Reviewed>()->question.rule.name;
 }
 
 }  // namespace
@@ -243,7 +263,7 @@ const AnswerViewer& reviewViewer() {
     static const AnswerViewer viewer{.question = reviewQuestion().key,
                                      .layer = nullptr,
                                      .rows = rowsOfReview,
-                                     .ownTitle = titleOfReview<ReviewAnswer>};
+                                     .rule = ruleOf<ReviewAnswer>};
     return viewer;
 }
 
@@ -251,7 +271,7 @@ const AnswerViewer& glazingViewer() {
     static const AnswerViewer viewer{.question = glazingQuestion().key,
                                      .layer = nullptr,
                                      .rows = rowsOfReview,
-                                     .ownTitle = titleOfReview<GlazingAnswer>};
+                                     .rule = ruleOf<GlazingAnswer>};
     return viewer;
 }
 

@@ -26,9 +26,11 @@ struct AnswerViewer {
     /// None: nothing in the view. Null: the view shows the answer behind it (Workbench::behind).
     std::optional<AnswerLayer> (*layer)(const std::shared_ptr<const Answer>&);
     std::vector<ResultRow> (*rows)(const Answer&, ShownAs);
-    /// "%1 compared with %2", with the names of scenarios as the project has them.
+    /// "%1 compared with %2", with the names of scenarios as the project has them. Null: "Glazing of %1".
     Sentence (*title)(const MeasuredPart&) = nullptr;
-    QString (*ownTitle)(const Answer&) = nullptr;  ///< null: the title
+    /// Of a review: the name of its rule, with which its title begins.
+    std::string (*rule)(const Answer&) = nullptr;
+    QString (*savedTitle)(const Answer&) = nullptr;  ///< of results read back: instead of the title
     /// The name that it is saved under, with its first day; null: the title.
     Sentence (*name)(const MeasuredPart&) = nullptr;
     AnswerNote (*note)(const Answer&) = nullptr;  ///< null: none

@@ -33,7 +33,7 @@ std::vector<ResultRow> rowsOfPlaces(const Answer& answer, ShownAs show) {
     const SunByPlace& baseline = sun.baseline;
     return makeRows(
         PlaceFigures{sun, baseline.daylight.steps.size(), baseline.daylight.belowHorizon, answer.seconds(),
-                     formatText(answer.settings()->period), errorOf(baseline), baseline.field.engine},
+                     statePeriod(answer.settings()->period), errorOf(baseline), baseline.field.engine},
         show);
 }
 

@@ -103,7 +103,7 @@ void addIntervals(std::vector<ResultRow>& rows, const Score& score, ShownAs show
     for (const IntervalFigures& interval : score.intervals)
         if (interval.shadowAreaM2 > 0)
             rows.push_back(
-                {QString::fromStdString(interval.name), joined(scoreIntervalFigures(), interval, show),
+                {weightName(interval.name), joined(scoreIntervalFigures(), interval, show),
                  QObject::tr("Interval of the table: its weight, and its contribution to the score")});
 }
 
@@ -113,7 +113,7 @@ std::optional<AnswerLayer> layerOfScore(const std::shared_ptr<const Answer>& ans
 
 std::vector<ResultRow> rowsOfScore(const Answer& answer, ShownAs show) {
     const auto& score = *answer.as<ScoreAnswer>();
-    return makeScoreRows(score.score, score.scenario, score.weights.name, formatText(score.settings.period),
+    return makeScoreRows(score.score, score.scenario, score.weights.name, statePeriod(score.settings.period),
                          show);
 }
 
@@ -150,11 +150,10 @@ QString describeMonth(std::chrono::year_month month) {
 }
 
 std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
-                                     const std::string& weights, const std::string& period, ShownAs show) {
+                                     const std::string& weights, const StatedPeriod& period, ShownAs show) {
     std::vector<ResultRow> rows = figureRows(listScoreLines(score));
     rows.push_back({QObject::tr("Scored"),
-                    QObject::tr("%1\nwith the weights %2")
-                        .arg(QString::fromStdString(scenario), QString::fromStdString(weights)),
+                    QObject::tr("%1\nwith the weights %2").arg(scenarioName(scenario), weightName(weights)),
                     {}});
     addMonths(rows, score, show);
     addIntervals(rows, score, show);

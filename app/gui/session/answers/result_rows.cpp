@@ -5,7 +5,10 @@
 
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
+#include "app/gui/session/study/region_text.h"
+#include "scenarios/scenario.h"
 
 namespace noonmark {
 
@@ -32,9 +35,14 @@ QString valueText(const FigureLine& line) {
     return localised(valueOf(line, unitsInUse()), line.value, line.figure->unit);
 }
 
+// The user's stay as they are.
+QString argumentName(const std::string& name) {
+    return name == existingCity ? scenarioName(name) : placeName(name);
+}
+
 std::string argumentText(const Sentence::Argument& argument) {
     const auto* amount = std::get_if<Amount>(&argument);
-    if (!amount) return std::get<std::string>(argument);
+    if (!amount) return argumentName(std::get<std::string>(argument)).toStdString();
     return localised(valueOf(*amount, unitsInUse()), amount->value, amount->unit).toStdString();
 }
 

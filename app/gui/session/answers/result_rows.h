@@ -10,6 +10,7 @@
 #include "core/study/elements/element_map.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/text/error_text.h"
+#include "core/sun/stated_period.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/weights/score.h"
 
@@ -55,7 +56,7 @@ struct StudyFigures {
     double sunlitMinutesPerDay = 0;
     std::uint64_t rays = 0;
     double seconds = 0;  ///< engine time; 0: not known
-    std::string period;  ///< in words
+    StatedPeriod period;
     std::vector<ErrorLine> errors;
     std::string engine;
     std::vector<ShownError> monthErrors{};                              ///< none: no months, or not measured
@@ -68,8 +69,8 @@ struct PointFigures {
     ElementFigures figures;
     std::uint64_t steps = 0, belowHorizon = 0;
     double seconds = 0;
-    std::string period;  ///< in words
-    std::string error;   ///< against rays, in words; empty: not measured
+    StatedPeriod period;
+    std::string error;  ///< against rays, in words; empty: not measured
     bool byRays = false;
     std::string engine;  ///< in words, with what "auto" chose it for
     std::vector<ShadedElementFigures> withTrees{};
@@ -85,15 +86,15 @@ QString describeChangedArea(const ChangeFigures& figures, ShownAs show = ShownAs
 
 /// The rows of a score: the total, each month and each interval with sunlit time.
 std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
-                                     const std::string& weights, const std::string& period, ShownAs show);
+                                     const std::string& weights, const StatedPeriod& period, ShownAs show);
 
 /// The sun of places, new or saved.
 struct PlaceFigures {
     const SunOfCities& sun;
     std::uint64_t steps = 0, belowHorizon = 0;
     double seconds = 0;
-    std::string period;  ///< in words
-    std::string error;   ///< of cells, in words, where `sun` has no errors; empty: not measured
+    StatedPeriod period;
+    std::string error;  ///< of cells, in words, where `sun` has no errors; empty: not measured
     std::string engine;
 };
 /// How many places were measured, the sunniest and the darkest of them, and how.

@@ -51,7 +51,7 @@ StudyFigures figuresOfStudy(const Study& study) {
             study.field.sunlitMinutesPerDay,
             study.field.cost.rays,
             accumulateSeconds(study),
-            formatText(study.settings.period),
+            statePeriod(study.settings.period),
             makeErrorLines(study),
             study.field.engine,
             study.monthError ? std::vector{*study.monthError} : std::vector<ShownError>(),
@@ -145,7 +145,7 @@ std::vector<ResultRow> rowsOfPoints(const Answer& answer, ShownAs show) {
                        .steps = study.sun.steps.size(),
                        .belowHorizon = study.sun.belowHorizon,
                        .seconds = study.seconds.at("accumulate"),
-                       .period = formatText(study.settings.period),
+                       .period = statePeriod(study.settings.period),
                        .byRays = study.engineKey == referenceEngine,
                        .engine = describeEngine(study),
                        .withTrees = listFiguresWithTrees(study)};

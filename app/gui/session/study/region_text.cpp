@@ -101,8 +101,7 @@ QString describeRegion(const Region& region, double cellM) {
     if (region.polygons.empty()) return QObject::tr("No region yet");
     const double areaM2 = area(region);
     const Box2 box = bounds(region);
-    const QString name =
-        region.name.empty() ? QStringLiteral("Polygon") : QString::fromStdString(region.name);
+    const QString name = region.name.empty() ? QObject::tr("Polygon") : placeName(region.name);
     const double cells = areaM2 / (cellM * cellM);
     return QObject::tr("%1\n%2 × %3, %4, %5 cell(s)", "", pluralNumber(quint64(std::round(cells))))
         .arg(name.at(0).toUpper() + name.mid(1))

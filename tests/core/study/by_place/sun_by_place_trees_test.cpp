@@ -5,9 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/csv_text.h"
 #include "core/city/trees/tree.h"
 #include "core/io/places/read_places.h"
-#include "core/study/by_place/sun_by_place.h"
+#include "core/study/by_place/place_tables.h"
 #include "core/study/elements/element_tables.h"
 #include "tests/core/study/by_place/place_scenes.h"
 
@@ -184,6 +185,43 @@ TEST(SunByPlace, PlantingAnAvenueTakesSunOnlyWithTrees) {
     const SunOfCities less = withEnough(all, 1).value();
     EXPECT_EQ(less.compared[0].sun.withTrees[0].sun[0].enoughShare,
               computeEnoughShare(planted.sun.withTrees[0].sun[0], 1));
+}
+
+// A spreadsheet gets cities, trees and months as values of rows: columns that can be seen at once.
+TEST(SunByPlace, TablesForSpreadsheetsHaveTheSameColumnsWhateverIsAsked) {
+    const NamedCity cities[]{{"Before", loneTower()}, {"Avenue", avenue()}};
+    SunByPlaceSettings settings = settingsOfDays(3);
+    settings.dates = {settings.study.period.start};
+    NoProgress quiet;
+    const SunOfCities all =
+        compareSunByPlace(cities, {namedPlace("Park", -30, 20, 50, 60)}, settings, quiet, {}).value();
+    const auto tableOf = [&](std::size_t i) {
+        return parseCsvRows(toCsv(placeTables()[i].make(all.baseline, all.compared)));
+    };
+    const auto period = tableOf(0), parts = tableOf(1);
+    EXPECT_THAT(
+        period[0].fields,
+        testing::ElementsAre("name", "kind", "part_of", "scenario", "trees", "area_m2", "hours_mean",
+                             "hours_min", "hours_max", "share_enough", "shadow_mean_min", "shadow_most_min",
+                             "shadow_least_min", "change_hours", "max_loss_min", "max_gain_min", "share_lost",
+                             "cell_m", "without_figures", "remarks", "lon_deg", "lat_deg", "source"));
+    ASSERT_EQ(period.size(), 1 + 2 * 3U) << "two cities, trees counted in three ways";
+    EXPECT_THAT(std::vector<std::string>(period[6].fields.begin(), period[6].fields.begin() + 5),
+                testing::ElementsAre("Park", "park", "", "Avenue", "seasonal"));
+    EXPECT_NEAR(std::stod(period[6].fields[6]), all.compared[0].sun.withTrees[1].sun[0].meanHours, 1e-4);
+    EXPECT_NEAR(std::stod(period[6].fields[13]), all.compared[0].changesWithTrees[1][0].meanHours, 1e-4);
+    EXPECT_EQ(period[1].fields[13], "") << "the baseline is not compared with itself";
+
+    EXPECT_THAT(parts[0].fields,
+                testing::ElementsAre("name", "kind", "part_of", "scenario", "trees", "time", "time_kind",
+                                     "hours_mean", "shadow_mean_min", "share_below", "change_hours"));
+    ASSERT_EQ(parts.size(), 1 + 2 * 3 * listParts(all.baseline).size());
+    EXPECT_EQ(parts.back().fields[5], formatText(settings.dates[0]));
+    EXPECT_EQ(parts.back().fields[6], "date");
+    EXPECT_NEAR(std::stod(parts.back().fields[7]), all.compared[0].sun.withTrees[1].sun[0].dateHours[0],
+                1e-4);
+    EXPECT_NEAR(std::stod(parts.back().fields[10]),
+                std::stod(parts.back().fields[7]) - all.baseline.withTrees[1].sun[0].dateHours[0], 2e-4);
 }
 
 // Layers of places are drawn by the column of their table that the legend shows.

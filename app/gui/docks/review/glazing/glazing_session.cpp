@@ -6,6 +6,7 @@
 #include "app/gui/session/workbench.h"
 #include "app/input/load_project.h"
 #include "core/city/city.h"
+#include "core/receivers/made_names.h"
 
 namespace noonmark {
 
@@ -75,7 +76,7 @@ Result<GlazingQuestion> GlazingSession::questionOf(const Result<ReviewedCities>&
     if (!windows) return tl::make_unexpected(windows.error());
     const StudySettings& study = workbench_.document().settings();
     Region region = makeRegionFromLocalBox(bounds(*cities->after));
-    region.name = "the whole city";
+    region.name = madeNames::wholeCity;
     return GlazingQuestion{*cities,
                            *std::move(rule),
                            {*std::move(windows), std::move(region), study.period.zone,
