@@ -1,11 +1,10 @@
 #include "core/engines/shade_trees.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <utility>
 
 #include "core/engines/auto_engine.h"
-#include "core/engines/horizon/horizon_sweep.h"
 #include "core/engines/horizon/trees/crown_sweep.h"
 #include "core/engines/ray/tree_rays.h"
 
@@ -25,49 +24,41 @@ std::shared_ptr<const TreeShade> selectColumns(std::shared_ptr<const TreeShade> 
 // Exact rays are taken for the shade of one field where they take no longer, as by AutoEngine.
 constexpr double shortSeconds = 2;
 
-void addWhatTreesTake(const ShadowField& without, const ShadowField& with, ShadowField& column) {
-    for (std::size_t cell = 0; cell < column.grossMin.size(); ++cell)
-        column.grossMin[cell] =
-            std::min(column.grossMin[cell] + (with.grossMin[cell] - without.grossMin[cell]),
-                     float(column.sunlitMinutesPerDay));
-    column.continuousMin = with.continuousMin;
-}
-
 // Fitted to the parks, streets and small places of Midtown, Chicago and Monaco over a year, on two cores. A
 // sweep of crowns takes about as long as one of buildings for months on the cells of places.
 constexpr double secondsOfRay = 60e-9, secondsOfCrown = 8e-9, sweepOverModel = 4;
 
 TreeSeconds estimateSeconds(const City& city, const CrownScene& crowns, const Receivers& receivers,
-                            const SunSteps& sun) {
+                            const SunSteps& sun, ShadowCounts counts) {
     const City* const cities[]{&city};
     const double rays = double(receivers.cells.size()) * double(sun.steps.size());
     const double ofRay = secondsOfRay + secondsOfCrown * countCrownsAtRays(crowns, receivers, sun);
-    const EngineLoad load = measureLoadOfPlaces(cities, receivers, sun);
+    EngineLoad load = measureLoadOfPlaces(cities, receivers, sun);
+    load.runs = counts == ShadowCounts::grossAndRuns;
     return {.rays = rays * ofRay,
             .sweep = estimateSeconds(load).horizon * sweepOverModel * double(crowns.phases.count())};
 }
 
-// Longest runs are not counted.
 void addMinutes(const std::vector<float>& taken, const Receivers& receivers, ShadowField& column) {
     for (std::size_t i = 0; i < receivers.cells.size(); ++i) {
         float& gross = column.grossMin[receivers.cells[i]];
         gross = std::min(gross + taken[i] / float(column.days), float(column.sunlitMinutesPerDay));
     }
-    std::ranges::fill(column.continuousMin, std::numeric_limits<float>::quiet_NaN());
 }
 
-// The same where trees have leaf days of their own, which the sweep of horizons leaves out.
-Result<std::shared_ptr<const TreeShade>> sweepPhases(const City& city, const CrownScene& crowns,
-                                                     const Receivers& receivers, const SunSteps& sun,
-                                                     const ShadowField& field, Progress& progress,
-                                                     const std::stop_token& stop) {
-    const auto taken = sweepCrowns(city, crowns, receivers, sun, makeOneSet(sun), progress, stop);
-    if (!taken) return tl::make_unexpected(taken.error());
-    TreeShade shade = makeTreeShade(field, taken->treesUsed);
-    addMinutes(taken->evergreen.front(), receivers, *shade.evergreen);
-    addMinutes(taken->seasonal.front(), receivers, *shade.seasonal);
-    shade.how = taken->how;
-    return std::make_shared<const TreeShade>(std::move(shade));
+// The runs of buildings alone stay those of the field; crowns count where they make a longer one.
+void addRuns(const std::vector<float>& with, const std::vector<float>& without, const Receivers& receivers,
+             ShadowField& column) {
+    for (std::size_t i = 0; i < with.size(); ++i) {
+        float& longest = column.continuousMin[receivers.cells[i]];
+        if (with[i] > without[i]) longest = std::max(longest, with[i]);
+    }
+}
+
+ShadowCounts countsOf(const ShadowField& field, const Receivers& receivers) {
+    const bool hasRuns = !receivers.cells.empty() && !field.continuousMin.empty() &&
+                         !std::isnan(field.continuousMin[receivers.cells.front()]);
+    return hasRuns ? ShadowCounts::grossAndRuns : ShadowCounts::gross;
 }
 
 // What a sweep finds that trees take, on top of the field.
@@ -75,15 +66,16 @@ Result<std::shared_ptr<const TreeShade>> sweepTrees(const City& city, const Rece
                                                     const SunSteps& sun, const ShadowField& field,
                                                     Progress& progress, const std::stop_token& stop) {
     const CrownScene crowns = findCrowns(city, receivers, sun);
-    if (!crowns.phases.empty()) return sweepPhases(city, crowns, receivers, sun, field, progress, stop);
-    const auto swept =
-        HorizonSweep({.counts = ShadowCounts::gross}).accumulate(city, receivers, sun, progress, stop);
-    if (!swept) return tl::make_unexpected(swept.error());
-    if (!swept->trees) return nullptr;
-    TreeShade shade = makeTreeShade(field, swept->trees->treesUsed);
-    addWhatTreesTake(*swept, *swept->trees->evergreen, *shade.evergreen);
-    addWhatTreesTake(*swept, *swept->trees->seasonal, *shade.seasonal);
-    shade.how = swept->trees->how;
+    if (crowns.empty()) return nullptr;
+    const auto taken = sweepCrowns(city, crowns, receivers, sun, makeOneSet(sun), progress, stop,
+                                   countsOf(field, receivers));
+    if (!taken) return tl::make_unexpected(taken.error());
+    TreeShade shade = makeTreeShade(field, taken->treesUsed);
+    addMinutes(taken->evergreen.front(), receivers, *shade.evergreen);
+    addMinutes(taken->seasonal.front(), receivers, *shade.seasonal);
+    addRuns(taken->runs.evergreen, taken->runs.without, receivers, *shade.evergreen);
+    addRuns(taken->runs.seasonal, taken->runs.without, receivers, *shade.seasonal);
+    shade.how = taken->how;
     return std::make_shared<const TreeShade>(std::move(shade));
 }
 
@@ -104,10 +96,11 @@ const ShadowField& fieldOfColumn(const ShadowField& field, TreeColumns column) {
     return field;
 }
 
-TreeSeconds estimateTreeSeconds(const City& city, const Receivers& receivers, const SunSteps& sun) {
+TreeSeconds estimateTreeSeconds(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                ShadowCounts counts) {
     if (!city.trees || city.trees->trees.empty()) return {};
     const CrownScene crowns = findCrowns(withTreesFor(city, TreeColumns::all), receivers, sun);
-    return crowns.empty() ? TreeSeconds{} : estimateSeconds(city, crowns, receivers, sun);
+    return crowns.empty() ? TreeSeconds{} : estimateSeconds(city, crowns, receivers, sun, counts);
 }
 
 Result<std::shared_ptr<const TreeShade>> shadeTrees(const City& city, const Receivers& receivers,
@@ -116,7 +109,7 @@ Result<std::shared_ptr<const TreeShade>> shadeTrees(const City& city, const Rece
                                                     const std::stop_token& stop) {
     if (!city.trees || columns == TreeColumns::without) return nullptr;
     if (field.trees) return selectColumns(field.trees, columns);
-    const TreeSeconds seconds = estimateTreeSeconds(city, receivers, sun);
+    const TreeSeconds seconds = estimateTreeSeconds(city, receivers, sun, countsOf(field, receivers));
     if (seconds.rays > std::max(shortSeconds, seconds.sweep)) {
         auto shade = sweepTrees(city, receivers, sun, field, progress, stop);
         if (shade) return selectColumns(*std::move(shade), columns);

@@ -32,8 +32,9 @@ struct TreeSeconds {
     double rays = 0;   ///< exact
     double sweep = 0;  ///< a horizon sweep
 };
-/// Within a factor of two. Some ms.
-TreeSeconds estimateTreeSeconds(const City& city, const Receivers& receivers, const SunSteps& sun);
+/// Within a factor of two; `counts`: what a sweep counts. Some ms.
+TreeSeconds estimateTreeSeconds(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                ShadowCounts counts = ShadowCounts::gross);
 
 /// The shade of a city's trees on top of a field of the same city, receivers and steps, by whichever engine:
 /// that engine's own (ShadowField::trees) where it weighs crowns, else by rays, or by a horizon sweep of its

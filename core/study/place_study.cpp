@@ -45,17 +45,28 @@ Warnings warnOfUnmeasured(const City& baseline, const City* scenario) {
 void addColumns(TreeColumns columns, PlaceStudy& study) {
     for (PlaceTimeline& place : study.places)
         for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
-            if (isAmong(columns, column)) place.withTrees.push_back({column, {}, {}});
+            if (isAmong(columns, column)) place.withTrees.push_back({{}, column});
 }
 
-void addShaded(PlaceTrees::Shaded shaded, bool keepsSteps, PlaceTimeline& timeline) {
-    for (ShadedPlace& with : timeline.withTrees) {
-        DayTimeline& day = with.column == TreeColumns::evergreen ? shaded.evergreen : shaded.seasonal;
-        with.sums.add(day);
+/// Adds one day after the other to places.
+struct DayAdder {
+    const PlaceReceivers& cells;
+    const Frame& frame;
+    bool keepsSteps;
+
+    void add(DayTimeline day, std::size_t place, PlaceDays& to) const {
+        to.sums.add(day);
+        to.longestIncrementalAt.push_back(locate(day.incremental.longest, cells, place, frame));
         if (!keepsSteps) day.steps.clear();
-        with.days.push_back(std::move(day));
+        to.days.push_back(std::move(day));
     }
-}
+    void add(PlaceTrees::Shaded shaded, std::size_t place, PlaceTimeline& timeline) const {
+        for (ShadedPlace& with : timeline.withTrees)
+            add(with.column == TreeColumns::evergreen ? std::move(shaded.evergreen)
+                                                      : std::move(shaded.seasonal),
+                place, static_cast<PlaceDays&>(with));
+    }
+};
 
 Result<PlaceStudy> computePlaceStudy(const City& baseline, const City* scenario,
                                      const std::vector<Place>& places, const PlaceStudySettings& settings,
@@ -71,24 +82,20 @@ Result<PlaceStudy> computePlaceStudy(const City& baseline, const City* scenario,
     PlaceStudy study{.engine = std::string(engine.stepMaskEngineName(cities, cells->receivers)),
                      .cellM = settings.cellM};
     study.stepMinutes = sun->stepMinutes;
-    for (const Place& place : places) study.places.push_back({.place = place});
+    for (const Place& place : places) study.places.emplace_back().place = place;
     const PlaceTrees trees(baseline, scenario, *cells, *sun);
     study.treesUsed = trees.treesUsed();
     const bool hasTrees = study.treesUsed > 0;
     if (hasTrees) addColumns(settings.trees, study);
     warnOfEmptyPlaces(*cells, study);
     const TimelineSettings wanted{settings.allSteps || hasTrees, settings.longestStays};
+    const DayAdder days{*cells, baseline.frame, settings.allSteps};
     const auto take = [&](std::size_t ofDay, std::span<const PlaceShadow> shadows) -> Result<void> {
         tbb::parallel_for(std::size_t{0}, shadows.size(), [&](std::size_t i) {
             PlaceTimeline& timeline = study.places[i];
-            timeline.days.push_back(computeTimeline(shadows[i], wanted));
-            DayTimeline& day = timeline.days.back();
-            timeline.sums.add(day);
-            if (hasTrees)
-                addShaded(trees.shade(i, ofDay, shadows[i], day, stop), settings.allSteps, timeline);
-            if (!settings.allSteps) day.steps.clear();
-            timeline.longestIncrementalAt.push_back(
-                locate(day.incremental.longest, *cells, i, baseline.frame));
+            DayTimeline day = computeTimeline(shadows[i], wanted);
+            if (hasTrees) days.add(trees.shade(i, ofDay, shadows[i], day, wanted, stop), i, timeline);
+            days.add(std::move(day), i, static_cast<PlaceDays&>(timeline));
         });
         return {};
     };
@@ -148,19 +155,11 @@ public:
         return json;
     }
 
-    [[nodiscard]] Json day(const DayTimeline& day, const std::optional<LonLat>& longestAt) const {
-        Json json{{"day", formatText(day.day)},
-                  {"sunlit_min", round4(day.sunlitMinutes)},
-                  {"times_too_late_by_up_to_min", round4(day.stepMinutes)},
-                  {"theoretical_m2h", round4(day.theoreticalM2h())},
-                  {"full_cover_min", round4(day.fullCoverMin)},
-                  {"all_sun_taken_min", round4(day.allSunTakenMin)},
-                  {"baseline", summary(day.baseline, day)},
-                  {"scenario", summary(day.scenario, day)},
-                  {"incremental", summary(day.incremental, day)},
-                  {"gained", summary(day.gained, day)}};
-        if (longestAt)
-            json["incremental"]["longest_stay_at"] = {{"lon", longestAt->lonDeg}, {"lat", longestAt->latDeg}};
+    // Without trees, and then the same with them.
+    [[nodiscard]] Json day(const PlaceTimeline& place, std::size_t day) const {
+        Json json = describe(place.days[day]);
+        addShadow(json, place, day, {});
+        for (const ShadedPlace& with : place.withTrees) addShadow(json, with, day, suffixOf(with.column));
         return json;
     }
 
@@ -175,18 +174,6 @@ public:
                     figuresJson({placeStepFiguresWithTrees(with.column), &with.days[day].steps.at(i)}));
         }
         return steps;
-    }
-
-    // Beside those of each kind of shadow without trees.
-    static void addTrees(Json& json, const PlaceTimeline& place, std::size_t day) {
-        for (const ShadedPlace& with : place.withTrees) {
-            const DayTimeline& own = with.days[day];
-            const std::string key = "area_hours_m2h" + suffixOf(with.column);
-            json["baseline"][key] = round4(own.baseline.areaHoursM2);
-            json["scenario"][key] = round4(own.scenario.areaHoursM2);
-            json["incremental"][key] = round4(own.incremental.areaHoursM2);
-            json["gained"][key] = round4(own.gained.areaHoursM2);
-        }
     }
 
     static Json sums(const AreaHours& sums) { return figuresJson(areaHoursFigures().of(sums)); }
@@ -218,6 +205,28 @@ public:
     }
 
 private:
+    static Json describe(const DayTimeline& day) {
+        return {{"day", formatText(day.day)},
+                {"sunlit_min", round4(day.sunlitMinutes)},
+                {"times_too_late_by_up_to_min", round4(day.stepMinutes)},
+                {"theoretical_m2h", round4(day.theoreticalM2h())}};
+    }
+
+    void addShadow(Json& json, const PlaceDays& place, std::size_t day, const std::string& suffix) const {
+        const DayTimeline& own = place.days[day];
+        json["full_cover_min" + suffix] = round4(own.fullCoverMin);
+        json["all_sun_taken_min" + suffix] = round4(own.allSunTakenMin);
+        const auto add = [&](const char* kind, const ShadowOnPlace& shadow) {
+            for (const auto& [key, value] : summary(shadow, own).items()) json[kind][key + suffix] = value;
+        };
+        add("baseline", own.baseline);
+        add("scenario", own.scenario);
+        add("incremental", own.incremental);
+        add("gained", own.gained);
+        if (const std::optional<LonLat>& at = place.longestIncrementalAt[day])
+            json["incremental"]["longest_stay_at" + suffix] = {{"lon", at->lonDeg}, {"lat", at->latDeg}};
+    }
+
     [[nodiscard]] Json timeOr(const std::optional<Instant>& at) const {
         return at ? Json(time(*at)) : Json();
     }
@@ -249,14 +258,12 @@ Json timelineJson(const PlaceStudy& study, const PlaceTimeline& place, const Tim
               {"step_min", round4(study.stepMinutes)},
               {"engine", study.engine}};
     if (place.days.size() == 1) {
-        json.update(writer.day(place.days.front(), place.longestIncrementalAt.front()));
-        writer.addTrees(json, place, 0);
+        json.update(writer.day(place, 0));
         json["steps"] = writer.steps(place, 0);
     } else {
         Json days = Json::array();
         for (std::size_t i = 0; i < place.days.size(); ++i) {
-            days.push_back(writer.day(place.days[i], place.longestIncrementalAt[i]));
-            writer.addTrees(days.back(), place, i);
+            days.push_back(writer.day(place, i));
             if (!place.days[i].steps.empty()) days.back()["steps"] = writer.steps(place, i);
         }
         json.update(writer.period(place));

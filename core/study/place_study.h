@@ -29,20 +29,22 @@ struct PlaceStudySettings {
     TreeColumns trees = TreeColumns::without;
 };
 
-/// A place's shadow with trees of one column: areas and area x hours, no times (PlaceTrees).
-struct ShadedPlace {
-    TreeColumns column = TreeColumns::seasonal;  ///< or evergreen
-    std::vector<DayTimeline> days;
-    PlaceSums sums;
-};
-
-/// A place's shadow over the days of a period.
-struct PlaceTimeline {
-    Place place;
+/// The days of a period on a place.
+struct PlaceDays {
     std::vector<DayTimeline> days;
     PlaceSums sums;
     /// Where the longest stay of incremental shadow is, of each day, degrees; none without one.
     std::vector<std::optional<LonLat>> longestIncrementalAt;
+};
+
+/// The same with trees of one column (PlaceTrees).
+struct ShadedPlace : PlaceDays {
+    TreeColumns column = TreeColumns::seasonal;  ///< or evergreen
+};
+
+/// A place's shadow over the days of a period.
+struct PlaceTimeline : PlaceDays {
+    Place place;
     std::vector<ShadedPlace> withTrees{};  ///< evergreens first; empty: no tree reaches a place
 };
 
@@ -70,10 +72,10 @@ struct TimelineLabels {
 };
 
 /// One place as JSON (docs/user/places.md lists the keys): of one day its steps and summary, of several days
-/// a list of days and the sums by month and quarter. With trees further keys: `baseline_m2_evergreen` of a
-/// step, `area_hours_m2h_seasonal` of a day, `scenario_m2h_seasonal` of sums. Scripts rely on `steps`: `at`,
-/// `baseline_m2`, `scenario_m2`, `incremental_m2`. Areas in m2, rounded to the cm2; times in ISO 8601 with
-/// offset.
+/// a list of days and the sums by month and quarter. With trees all of these again, with the column at the
+/// end of their keys: `baseline_m2_evergreen` of a step, `enters_seasonal` of a day, `scenario_m2h_seasonal`
+/// of sums. Scripts rely on `steps`: `at`, `baseline_m2`, `scenario_m2`, `incremental_m2`. Areas in m2,
+/// rounded to the cm2; times in ISO 8601 with offset.
 nlohmann::ordered_json timelineJson(const PlaceStudy& study, const PlaceTimeline& place,
                                     const TimelineLabels& labels);
 

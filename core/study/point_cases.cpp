@@ -12,9 +12,9 @@ namespace noonmark {
 
 namespace {
 
-PointCaseShade shadeOf(TreeColumns column, double dayMin, const MonthHours& year, const SkyFactors& sky) {
-    PointCaseShade shade{column, dayMin, 0, sky.skyView, sky.skyComponentPct};
-    for (const double minutes : sumMonths(year)) shade.yearMin += minutes;
+PointCaseShade shadeOf(TreeColumns column, const PointShade& of) {
+    PointCaseShade shade{column, of.dayMin, 0, of.sky.skyView, of.sky.skyComponentPct};
+    for (const double minutes : sumMonths(of.minutes)) shade.yearMin += minutes;
     return shade;
 }
 
@@ -25,9 +25,8 @@ PointCaseFigures figuresOf(const std::string& name, const PointStudy& study) {
     for (const SunBand& band : study.baseline.sunlit) figures.dayMin += band.minutes();
     for (const double minutes : sumMonths(study.baseline.minutes)) figures.yearMin += minutes;
     if (const auto& crowns = study.baseline.crowns)
-        figures.withTrees = {
-            shadeOf(TreeColumns::evergreen, crowns->dayEvergreenMin, crowns->evergreen, crowns->skyEvergreen),
-            shadeOf(TreeColumns::seasonal, crowns->daySeasonalMin, crowns->seasonal, crowns->skySeasonal)};
+        for (const TreeColumns column : PointCrowns::columns)
+            figures.withTrees.push_back(shadeOf(column, crowns->of(column)));
     return figures;
 }
 

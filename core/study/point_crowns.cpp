@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -155,6 +156,9 @@ std::optional<SeenCrown> seeCrown(const Crown& crown, std::uint32_t tree, glm::d
 /// What crowns leave of the sun at each step.
 struct LitShares {
     std::vector<float> evergreen, seasonal;
+    [[nodiscard]] const std::vector<float>& of(TreeColumns column) const {
+        return column == TreeColumns::evergreen ? evergreen : seasonal;
+    }
 };
 
 LitShares weighCrowns(const CrownScene& scene, glm::dvec3 eye, const PointSteps& steps) {
@@ -175,11 +179,44 @@ double sumMinutes(const std::vector<float>& shares, double stepMinutes) {
     return std::accumulate(shares.begin(), shares.end(), 0.0) * stepMinutes;
 }
 
+/// The times of a day at which neither buildings nor crowns darken a point.
+class SunlitTimes {
+public:
+    SunlitTimes(const CrownScene& scene, glm::dvec3 eye, const Skyline& skyline, const PointSteps& day,
+                const SunAt& sunAt)
+        : crowns_(scene), skyline_(skyline), day_(day), sunAt_(sunAt), any_(crowns_.begin(eye, 0)) {}
+
+    [[nodiscard]] std::vector<SunBand> find(TreeColumns column) const {
+        ShadedSteps shaded = day_.shaded;
+        for (std::size_t i = 0; any_ && i < shaded.size(); ++i)
+            if (isDark(day_.sun.steps[i].direction, column)) shaded[i] = 1;
+        auto bands = findSunBands(shaded, day_.sun, 0);
+        refineSunBands(bands, day_.sun.stepMinutes, [&](Instant at) {
+            const auto direction = sunAt_(at);
+            return direction && !skyline_.hides(*direction) && !(any_ && isDark(*direction, column));
+        });
+        return bands;
+    }
+
+private:
+    // Leaves are those of the day's first step.
+    [[nodiscard]] bool isDark(glm::vec3 direction, TreeColumns column) const {
+        return crowns_.at(0, glm::normalize(glm::dvec3(direction))).of(column) >=
+               TreeShade::defaultShadedFrom;
+    }
+
+    CrownsOverPlace crowns_;
+    const Skyline& skyline_;
+    const PointSteps& day_;
+    const SunAt& sunAt_;
+    bool any_;
+};
+
 }  // namespace
 
 std::optional<PointCrowns> lookAtCrowns(const City& city, const SkyPoint& point, const Skyline& skyline,
                                         const SkyFactors& sky, double northDeg, const PointSteps& year,
-                                        const PointSteps& day, const Zone& zone) {
+                                        const PointSteps& day, const SunAt& sunAt, const Zone& zone) {
     if (!city.trees || city.trees->trees.empty()) return std::nullopt;
     const City weighed = withTreesFor(city, TreeColumns::all);
     const auto eye = glm::dvec3(placeSurfaceRayOrigin(point.position, point.normal));
@@ -204,18 +241,18 @@ std::optional<PointCrowns> lookAtCrowns(const City& city, const SkyPoint& point,
     all.takenYear = takeFromPoint(inYear, glm::vec3(eye), year.sun, year.shaded);
     all.takenDay = takeFromPoint(onDay, glm::vec3(eye), day.sun, day.shaded);
     all.inLeaf = isInLeaf(all.leafDays, date);
-    all.evergreen = sumSunlight(ofYear.evergreen, year.sun, zone);
-    all.seasonal = sumSunlight(ofYear.seasonal, year.sun, zone);
     const SkyCrowns crowns(city);
-    const auto left = [&](TreeColumns column) {
+    const SunlitTimes times(onDay, eye, skyline, day, sunAt);
+    const auto shadeOf = [&](TreeColumns column) {
         const SkyFactors taken = crowns.taken(point, skyline, column);
-        return SkyFactors{std::max(0.0, sky.skyView - taken.skyView),
-                          std::max(0.0, sky.skyComponentPct - taken.skyComponentPct)};
+        return PointShade{.minutes = sumSunlight(ofYear.of(column), year.sun, zone),
+                          .dayMin = sumMinutes(ofDay.of(column), day.sun.stepMinutes),
+                          .sunlit = times.find(column),
+                          .sky = {std::max(0.0, sky.skyView - taken.skyView),
+                                  std::max(0.0, sky.skyComponentPct - taken.skyComponentPct)}};
     };
-    all.skyEvergreen = left(TreeColumns::evergreen);
-    all.skySeasonal = left(TreeColumns::seasonal);
-    all.dayEvergreenMin = sumMinutes(ofDay.evergreen, day.sun.stepMinutes);
-    all.daySeasonalMin = sumMinutes(ofDay.seasonal, day.sun.stepMinutes);
+    all.evergreen = shadeOf(TreeColumns::evergreen);
+    all.seasonal = shadeOf(TreeColumns::seasonal);
     return all;
 }
 

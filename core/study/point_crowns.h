@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,17 +36,28 @@ struct SeenCrown {
     bool inLeaf = true;    ///< on the question's day
 };
 
-/// The crowns around a point, and what they leave of its sun. A step counts the share of the sun that crowns
-/// let through, by the exact path through each, of suns within half a degree once.
+/// What crowns leave of a point's sun and sky in one column. A step counts the share of the sun that they let
+/// through, by the exact path through each, of suns within half a degree once.
+struct PointShade {
+    MonthHours minutes{};  ///< sunlit, of the year, as PointView::minutes
+    double dayMin = 0;     ///< sunlit minutes of the question's day
+    /// Times of the day in which buildings take nothing and crowns less than TreeShade::defaultShadedFrom, as
+    /// PointView::sunlit.
+    std::vector<SunBand> sunlit;
+    SkyFactors sky;  ///< what is left of PointView::factors, in the mean of the days of a year
+};
+
+/// The crowns around a point, and what they leave of its sun.
 struct PointCrowns {
     std::vector<SeenCrown> seen;  ///< those that rise above the skyline by half a degree, farthest first
     LeafDays leafDays;            ///< of trees that lose their leaves and state no days of their own
     bool inLeaf = false;          ///< those, on the question's day
     std::size_t weighed = 0;      ///< trees whose crown can stand before the sun on some day of the year
-    MonthHours evergreen{}, seasonal{};              ///< sunlit minutes of the year, as PointView::minutes
-    double dayEvergreenMin = 0, daySeasonalMin = 0;  ///< sunlit minutes of the question's day
-    /// The sky that crowns leave of PointView::factors, in the mean of the days of a year.
-    SkyFactors skyEvergreen, skySeasonal;
+    PointShade evergreen, seasonal;
+    static constexpr std::array columns{TreeColumns::evergreen, TreeColumns::seasonal};
+    [[nodiscard]] const PointShade& of(TreeColumns column) const {
+        return column == TreeColumns::evergreen ? evergreen : seasonal;
+    }
     std::shared_ptr<const Trees> trees;  ///< the city's, to which indices refer
     TakenByTree takenDay, takenYear;     ///< of the sun that buildings leave, minutes
 };
@@ -63,11 +76,15 @@ struct PointSteps {
     const ShadedSteps& shaded;
 };
 
+/// Towards the sun at an instant of a day; none: it is below the horizon.
+using SunAt = std::function<std::optional<glm::vec3>(Instant)>;
+
 /// None where no crown is seen or weighed. `sky`: of the skyline. `northDeg`: true north, clockwise from the
-/// frame's +y. `year`: from sunrise to sunset; `day`: those of the question's day. O(trees), and some 20 us
-/// for each crown that is seen; 10 ns for each crown near the azimuth of each half degree of the sun's paths.
+/// frame's +y. `year`: from sunrise to sunset; `day`: those of the question's day, and `sunAt` of that day.
+/// O(trees), and some 20 us for each crown that is seen; 10 ns for each crown near the azimuth of each half
+/// degree of the sun's paths.
 std::optional<PointCrowns> lookAtCrowns(const City& city, const SkyPoint& point, const Skyline& skyline,
                                         const SkyFactors& sky, double northDeg, const PointSteps& year,
-                                        const PointSteps& day, const Zone& zone);
+                                        const PointSteps& day, const SunAt& sunAt, const Zone& zone);
 
 }  // namespace noonmark

@@ -161,8 +161,10 @@ PointView viewOf(const City& city, const SkyPoint& point, const PointStudy& stud
     view.shadedTimes = findShadedTimes(skyline, day, view.sunlit);
     view.minutes = sumSunlight(view.shaded, study.sun, zone);
     view.year = countShadow(view.shaded, study.sun);
-    view.crowns = lookAtCrowns(city, point, skyline, view.factors, northDeg, {study.sun, view.shaded},
-                               {day.steps, findShadedSteps(skyline, day.steps)}, zone);
+    view.crowns = lookAtCrowns(
+        city, point, skyline, view.factors, northDeg, {study.sun, view.shaded},
+        {day.steps, findShadedSteps(skyline, day.steps)}, [&](Instant at) { return day.directionAt(at); },
+        zone);
     return view;
 }
 

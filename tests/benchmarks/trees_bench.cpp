@@ -1,7 +1,7 @@
 // What trees cost the horizon sweep, and how far it is off: a year of 8 h days at one minute over 800 x 800 m
 // in the middle of a city, without trees and with made inventories of 5,000 and 20,000 trees in reach. First
-// the sweep's columns are compared with exact rays on a sample of receivers; then all are timed in turn.
-// Longest runs are those of the city without its overhangs.
+// the sweep's columns are compared with exact rays on a sample of receivers, also where every third tree has
+// leaf days of its own, of three kinds; then all are timed in turn.
 // "district": 2 x 2 km with 100,000 trees, and with a canopy raster of 1 m of which a quarter is canopy.
 // "drag": one of the file's trees among all others follows a hand along 22 m, and the table of the region and
 // of squares of 100 m follows it.
@@ -20,61 +20,27 @@
 #include <string>
 
 #include "app/gui/tools/live/live_trees.h"
-#include "core/city/trees/tree_facts.h"
 #include "core/engines/horizon/horizon_sweep.h"
+#include "core/engines/horizon/trees/crown_sweep.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/engines/shade_trees.h"
 #include "core/engines/trees/crowns.h"
 #include "core/study/study.h"
 #include "tests/benchmarks/bench_scene.h"
+#include "tests/benchmarks/planted_trees.h"
 
 using namespace noonmark;
 using namespace noonmark::bench;
 
 namespace {
 
-Receivers findSquare(const City& city, double sideM) {
-    const Box2 box = bounds(city);
-    const glm::vec2 middle = (box.low + box.high) * 0.5F, half(float(sideM / 2));
-    return taken(placeReceiversOnGround(city, makeRegionFromLocalBox({middle - half, middle + half}), {}));
-}
-
-// As an inventory of New York has them: stems of 3 to 30 inches, planes and honey locusts above all.
-TreeFacts makeFacts(std::mt19937& random) {
-    constexpr std::array species{
-        "Platanus x acerifolia", "Gleditsia triacanthos", "Pyrus calleryana", "Quercus palustris",
-        "Tilia cordata",         "Ginkgo biloba",         "Pinus strobus",    "Acer rubrum"};
-    std::uniform_real_distribution<double> inches(3, 30);
-    return {.species = species[random() % species.size()], .stemDiameterM = inches(random) * 0.0254};
-}
-
-// Trees on open ground, drawn at random.
-std::vector<Tree> plantOnGround(const City& city, const Receivers& ground, std::size_t count,
-                                std::mt19937& random) {
-    std::vector<Tree> trees;
-    while (trees.size() < count) {
-        const std::uint32_t cell = ground.cells[random() % ground.cells.size()];
-        Tree tree = completeTree(makeFacts(random));
-        tree.place = glm::dvec2(ground.position(cell));
-        tree.groundM = groundAt(city, tree.place);
-        trees.push_back(std::move(tree));
+City withOwnLeafDays(City city) {
+    Trees trees = *city.trees;
+    for (std::size_t i = 0; i < trees.trees.size(); i += 3) {
+        trees.trees[i].leafOnDay = i % 2 == 0 ? 90 : 120;
+        trees.trees[i].leafOffDay = 290;
     }
-    return trees;
-}
-
-City withTrees(City city, std::vector<Tree> trees) {
-    city.trees = std::make_shared<const Trees>(
-        Trees{std::move(trees), assumeLeafDays(city.frame.origin().latDeg), true});
-    return city;
-}
-
-// Longest runs with trees are not counted in a city with overhangs.
-City withoutOverhangs(City city) {
-    for (auto& building : city.buildings) {
-        Building kept = *building;
-        std::erase_if(kept.parts, [](const Part& part) { return part.isOverhanging; });
-        building = std::make_shared<const Building>(std::move(kept));
-    }
+    city.trees = std::make_shared<const Trees>(std::move(trees));
     return city;
 }
 
@@ -146,16 +112,41 @@ bool checkGross(const ShadowField& swept, const ShadowField& traced, const Recei
     return good;
 }
 
-void compareRuns(const ShadowField& swept, const ShadowField& traced, const Receivers& sample) {
+void compareRuns(std::string_view what, const ShadowField& swept, const ShadowField& traced,
+                 const Receivers& sample) {
     const double percent = 100 / traced.sunlitMinutesPerDay;
     for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal}) {
         const auto &found = fieldOfColumn(swept, column).continuousMin,
                    &exact = fieldOfColumn(traced, column).continuousMin;
-        print(std::string(keyOf<TreeColumns>(treeColumnChoices, column)) + ": longest runs",
+        print(fmt::format("{}{}: longest runs", keyOf<TreeColumns>(treeColumnChoices, column), what),
               errorsOf(sample, [&](std::uint32_t cell) {
                   return percent * (double(found[cell]) - double(exact[cell]));
               }));
     }
+}
+
+// By the sweep, whatever rays would take.
+TakenBySet sweepRuns(const City& city, const Receivers& receivers, const SunSteps& sun) {
+    NoProgress quiet;
+    return taken(sweepCrowns(city, findCrowns(city, receivers, sun), receivers, sun, makeOneSet(sun), quiet,
+                             {}, ShadowCounts::grossAndRuns));
+}
+
+void compareOwnLeafDays(const City& city, const Receivers& sample, const SunSteps& sun) {
+    ShadowField swept = compute(HorizonSweep(), city, sample, sun);
+    const SweptRuns runs = sweepRuns(city, sample, sun).runs;
+    TreeShade shade = makeTreeShade(swept, 1);
+    for (const auto& [with, column] :
+         {std::pair(&runs.evergreen, &*shade.evergreen), std::pair(&runs.seasonal, &*shade.seasonal)})
+        for (std::size_t i = 0; i < sample.cells.size(); ++i)
+            if ((*with)[i] > runs.without[i])
+                column->continuousMin[sample.cells[i]] =
+                    std::max(column->continuousMin[sample.cells[i]], (*with)[i]);
+    swept.trees = std::make_shared<const TreeShade>(std::move(shade));
+    ShadowField traced;
+    const Seconds rays = secondsOf([&] { traced = compute(RayReference(), city, sample, sun); });
+    fmt::print("  rays: {:.3f} s of processor time for {} receivers\n", rays.processor, sample.cells.size());
+    compareRuns(", own leaf days", swept, traced, sample);
 }
 
 double medianOf(std::vector<double> values) {
@@ -166,7 +157,6 @@ double medianOf(std::vector<double> values) {
 struct Case {
     std::string name;
     City city;
-    City runsIn;  ///< without overhangs
     std::vector<double> gross{}, runs{};
 };
 
@@ -175,7 +165,7 @@ void time(std::vector<Case>& cases, const Receivers& receivers, const SunSteps& 
     for (int round = 0; round < rounds; ++round)
         for (Case& one : cases) {
             one.gross.push_back(secondsOf([&] { compute(gross, one.city, receivers, sun); }).processor);
-            one.runs.push_back(secondsOf([&] { compute(runs, one.runsIn, receivers, sun); }).processor);
+            one.runs.push_back(secondsOf([&] { compute(runs, one.city, receivers, sun); }).processor);
         }
     for (const Case& one : cases)
         fmt::print("{:<14} gross {:6.2f} s ({:.2f} x), with longest runs {:6.2f} s ({:.2f} x)\n", one.name,
@@ -186,21 +176,25 @@ void time(std::vector<Case>& cases, const Receivers& receivers, const SunSteps& 
 int benchColumns(const City& city, int rounds, std::size_t sampleSize) {
     const Receivers receivers = findSquare(city, 800), sample = sampleOf(receivers, sampleSize);
     const SunSteps sun = workingYearOf(city);
-    std::vector<Case> cases{{"without", city, withoutOverhangs(city)}};
+    std::vector<Case> cases{{"without", city}};
     bool good = true;
     for (const std::size_t count : {std::size_t{5'000}, std::size_t{20'000}}) {
-        const City planted = withTreesInReach(city, receivers, sun, count), flat = withoutOverhangs(planted);
-        cases.push_back({fmt::format("{} trees", count), planted, flat});
+        const City planted = withTreesInReach(city, receivers, sun, count);
+        cases.push_back({fmt::format("{} trees", count), planted});
         const ShadowField swept =
             compute(HorizonSweep({.counts = ShadowCounts::gross}), planted, receivers, sun);
         const ShadowField traced = compute(RayReference(), planted, sample, sun);
         fmt::print("{} trees in reach of {} receivers, {} steps; {} receivers by rays\n",
                    swept.trees->treesUsed, receivers.cells.size(), sun.steps.size(), sample.cells.size());
         good = checkGross(swept, traced, sample) && good;
-        compareRuns(compute(HorizonSweep(), flat, sample, sun), compute(RayReference(), flat, sample, sun),
-                    sample);
+        compareRuns("", compute(HorizonSweep(), planted, sample, sun), traced, sample);
+        compareOwnLeafDays(withOwnLeafDays(planted), sample, sun);
     }
     time(cases, receivers, sun, rounds);
+    const City own = withOwnLeafDays(cases[1].city);
+    const Seconds phases = secondsOf([&] { sweepRuns(own, receivers, sun); });
+    fmt::print("{}, own leaf days: {} phases beside it, {:.2f} s\n", cases[1].name,
+               findCrowns(own, receivers, sun).phases.count(), phases.processor);
     return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 

@@ -4,6 +4,9 @@
 // Processor time is more reliable than frames per second where other programs run.
 //
 //     view_bench [FILE, number of buildings or sample] [seconds for each] [folder for the pictures at rest]
+//                [number of trees]
+//
+// With trees: the view without them and with them, in leaf and bare, plain and in the sun.
 //
 // Needs a display: xvfb-run -a draws in software.
 #include <fmt/format.h>
@@ -22,6 +25,7 @@
 #include "render/view/camera_control.h"
 #include "render/view/city_view.h"
 #include "tests/benchmarks/bench_scene.h"
+#include "tests/benchmarks/planted_trees.h"
 
 using namespace noonmark;
 using namespace noonmark::bench;
@@ -63,6 +67,13 @@ public:
         const ViewBounds& bounds = view_.viewBounds();
         view_.sun().show(
             drawSunDepths(faces_, towardsSun(hour), {bounds.box, bounds.groundM, bounds.topM}, 2048));
+    }
+
+    void plant(std::shared_ptr<const Trees> trees, int dayOfYear) {
+        auto rays = makeCrownRays(trees, {});
+        view_.showTrees(std::move(trees), rays.value());
+        view_.setTreeDay(dayOfYear);
+        wait(500);
     }
 
     void showResult() {
@@ -153,6 +164,22 @@ void timeCameras(Stage& stage, const std::string& how, double seconds, const std
     stage.view().setPose(whole);
 }
 
+void timeTrees(Stage& stage, const City& city, std::size_t count, double seconds, const std::string& folder) {
+    const Box2 box = bounds(city);
+    const float sideM = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+    std::mt19937 random(7);
+    const City planted = withTrees(city, plantOnGround(city, findSquare(city, double(sideM)), count, random));
+    constexpr int summer = 172, winter = 15;
+    timeCameras(stage, "without trees", seconds, folder);
+    stage.plant(planted.trees, summer);
+    timeCameras(stage, fmt::format("{} trees in leaf", count), seconds, folder);
+    stage.plant(planted.trees, winter);
+    timeCameras(stage, fmt::format("{} bare trees", count), seconds, folder);
+    stage.plant(planted.trees, summer);
+    stage.showSun(9);
+    timeCameras(stage, fmt::format("{} trees, sun", count), seconds, folder);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -166,6 +193,10 @@ int main(int argc, char** argv) {
     fmt::print("{}: {} buildings, {} triangles, {} edges, {} x {} pixels\n", name, city.buildings.size(),
                stage.view().arrays()->triangles.size() / 3, stage.view().arrays()->edges.size() / 2,
                windowSize.width(), windowSize.height());
+    if (argc > 4) {
+        timeTrees(stage, city, std::stoul(argv[4]), seconds, folder);
+        return EXIT_SUCCESS;
+    }
     timeCameras(stage, "plain", seconds, folder);
     stage.showResult();
     timeCameras(stage, "result", seconds, folder);

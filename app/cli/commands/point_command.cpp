@@ -108,7 +108,11 @@ void print(const PointStudy& study, const City& city, const City* scenario, cons
            std::ostream& out) {
     Table table;
     const auto addView = [&](const std::string& name, const PointView& view, const City& of) {
-        table.add(name + "sunlit", sunlitText(view, zone));
+        table.add(name + "sunlit", sunlitText(view.sunlit, zone));
+        if (view.crowns)
+            for (const TreeColumns column : PointCrowns::columns)
+                table.add(fmt::format("{}sunlit, {}", name, describeTrees(column)),
+                          sunlitText(view.crowns->of(column).sunlit, zone));
         table.add(name + "hidden by", shadedText(view, of, zone));
         if (view.crowns) {
             table.add(name + "sun with trees", treesText(*view.crowns));

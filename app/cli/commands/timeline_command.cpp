@@ -114,33 +114,47 @@ std::string lineOf(const ShadowOnPlace& shadow, const Zone& zone) {
     return text;
 }
 
-std::string lineOfShaded(const ShadowOnPlace& shadow) {
-    return fmt::format("largest {:.0f} m2; {:.1f} m2 x h", shadow.largestM2, shadow.areaHoursM2);
-}
+/// A kind of shadow, or minutes, of a day in each column.
+class DayTable {
+public:
+    DayTable(const PlaceTimeline& place, const Zone& zone) : place_(place), zone_(zone) {}
+
+    void add(const std::string& name, ShadowOnPlace DayTimeline::*kind) {
+        addColumns(name, [&](const DayTimeline& day) { return lineOf(day.*kind, zone_); });
+    }
+    void add(const std::string& name, double DayTimeline::*minutes) {
+        addColumns(name, [&](const DayTimeline& day) { return fmt::format("{:.0f} min", day.*minutes); });
+    }
+    void addColumns(const std::string& name, const auto& textOf) {
+        table_.add(name, textOf(place_.days.front()));
+        for (const ShadedPlace& with : place_.withTrees)
+            table_.add(fmt::format("{}, {}", name, describeTrees(with.column)), textOf(with.days.front()));
+    }
+    Table& table() { return table_; }
+
+private:
+    const PlaceTimeline& place_;
+    const Zone& zone_;
+    Table table_;
+};
 
 void printDay(const PlaceTimeline& place, const TimelineAnswer& answer, std::ostream& out) {
     const DayTimeline& day = place.days.front();
     const Zone& zone = answer.labels.zone;
-    Table table;
+    DayTable table(place, zone);
     std::string when = fmt::format("{}, {:.0f} min of sun; times of {}", formatText(day.day),
                                    day.sunlitMinutes, zone.name());
     if (day.stepMinutes > 1) when += fmt::format(", up to {:g} min too late", day.stepMinutes);
-    table.add("day", when);
-    table.add("baseline", lineOf(day.baseline, zone));
-    for (const ShadedPlace& with : place.withTrees)
-        table.add(fmt::format("baseline, {}", describeTrees(with.column)),
-                  lineOfShaded(with.days.front().baseline));
+    table.table().add("day", when);
+    table.add("baseline", &DayTimeline::baseline);
     if (!answer.labels.to.empty()) {
-        table.add("scenario", lineOf(day.scenario, zone));
-        for (const ShadedPlace& with : place.withTrees)
-            table.add(fmt::format("scenario, {}", describeTrees(with.column)),
-                      lineOfShaded(with.days.front().scenario));
-        table.add("incremental", lineOf(day.incremental, zone));
-        table.add("gained", lineOf(day.gained, zone));
-        table.add("all sun taken", fmt::format("{:.0f} min", day.allSunTakenMin));
+        table.add("scenario", &DayTimeline::scenario);
+        table.add("incremental", &DayTimeline::incremental);
+        table.add("gained", &DayTimeline::gained);
+        table.add("all sun taken", &DayTimeline::allSunTakenMin);
     }
-    table.add("wholly covered", fmt::format("{:.0f} min", day.fullCoverMin));
-    table.print(out);
+    table.add("wholly covered", &DayTimeline::fullCoverMin);
+    table.table().print(out);
 }
 
 void printPeriod(const PlaceTimeline& place, std::ostream& out) {

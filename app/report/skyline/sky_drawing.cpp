@@ -247,7 +247,7 @@ void addCell(std::string& svg, glm::dvec2 corner, double before, double after) {
 
 const MonthHours& minutesOf(const PointView& view, TreeColumns trees) {
     if (!view.crowns || trees == TreeColumns::without) return view.minutes;
-    return trees == TreeColumns::evergreen ? view.crowns->evergreen : view.crowns->seasonal;
+    return view.crowns->of(trees).minutes;
 }
 
 void drawSunCarpet(const PointStudy& study, TreeColumns trees, glm::dvec2 corner, std::string& svg) {

@@ -154,9 +154,8 @@ Result<ShadowField> sweepHorizons(const City& city, const Receivers& receivers, 
     PeriodSweep sweep(walls, *overhanging, receivers, sun, binned, settings.counts, rays ? &*rays : nullptr,
                       progress, stop);
     if (!crowns.empty() && crowns.phases.empty())
-        crownSweep.emplace(
-            crowns, binned, makeOneSet(sun), receivers.grid, walls.datumM,
-            sweep.countsCrownRuns() ? CrownSweep::widestGroupOfRunsDeg : CrownSweep::widestGroupDeg);
+        crownSweep.emplace(crowns, binned, makeOneSet(sun), receivers.grid, walls.datumM,
+                           CrownSweep::widestGroup(settings.counts));
     if (crownSweep) sweep.weigh(&*crownSweep, crowns.inLeaf);
     field.cost.seconds["build"] = watch.seconds();
     if (const auto done = sweep.run(field); !done) return tl::make_unexpected(done.error());
@@ -204,6 +203,30 @@ PhaseSteps selectPhase(std::size_t phase, const CrownScene& crowns, const SunSte
     return own;
 }
 
+SweptRuns listRuns(const ShadowField& without, const PeriodSweep::TakenSteps& taken,
+                   const Receivers& receivers) {
+    SweptRuns runs;
+    for (const std::uint32_t cell : receivers.cells) {
+        runs.without.push_back(without.continuousMin[cell]);
+        runs.evergreen.push_back(float(taken.evergreenRuns[cell] * without.stepMinutes));
+        runs.seasonal.push_back(float(taken.seasonalRuns[cell] * without.stepMinutes));
+    }
+    return runs;
+}
+
+void keepLonger(std::vector<float>& longest, const std::vector<float>& more) {
+    longest.resize(more.size());
+    std::ranges::transform(longest, more, longest.begin(),
+                           [](float one, float other) { return std::max(one, other); });
+}
+
+// Runs are of single days, and days of single phases.
+void keepLonger(SweptRuns& longest, const SweptRuns& more) {
+    keepLonger(longest.without, more.without);
+    keepLonger(longest.evergreen, more.evergreen);
+    keepLonger(longest.seasonal, more.seasonal);
+}
+
 void addMinutes(std::vector<std::vector<float>>& sum, const std::vector<std::vector<float>>& more) {
     if (sum.empty()) sum.resize(more.size());
     for (std::size_t set = 0; set < more.size(); ++set) {
@@ -215,13 +238,14 @@ void addMinutes(std::vector<std::vector<float>>& sum, const std::vector<std::vec
 // One sweep for each phase, which the steps of the others do not enter.
 Result<TakenBySet> sweepPhases(const City& city, const CrownScene& crowns, const Receivers& receivers,
                                const SunSteps& sun, const StepSets& sets, Progress& progress,
-                               const std::stop_token& stop) {
+                               const std::stop_token& stop, ShadowCounts counts) {
     TakenBySet sum{.treesUsed = crowns.crowns.size()};
     for (std::size_t phase = 0; phase < crowns.phases.count(); ++phase) {
         ProgressShare share(progress, phase, crowns.phases.count());
         const PhaseSteps own = selectPhase(phase, crowns, sun, sets);
-        auto taken = sweepCrowns(city, own.crowns, receivers, own.sun, own.sets, share, stop);
+        auto taken = sweepCrowns(city, own.crowns, receivers, own.sun, own.sets, share, stop, counts);
         if (!taken) return taken;
+        keepLonger(sum.runs, taken->runs);
         addMinutes(sum.evergreen, taken->evergreen);
         addMinutes(sum.seasonal, taken->seasonal);
         sum.how = taken->how;
@@ -233,24 +257,31 @@ Result<TakenBySet> sweepPhases(const City& city, const CrownScene& crowns, const
 
 Result<TakenBySet> sweepCrowns(const City& city, const CrownScene& crowns, const Receivers& receivers,
                                const SunSteps& sun, const StepSets& sets, Progress& progress,
-                               const std::stop_token& stop) {
-    if (!crowns.phases.empty()) return sweepPhases(city, crowns, receivers, sun, sets, progress, stop);
+                               const std::stop_token& stop, ShadowCounts counts) {
+    if (!crowns.phases.empty())
+        return sweepPhases(city, crowns, receivers, sun, sets, progress, stop, counts);
+    const bool hasRuns = counts == ShadowCounts::grossAndRuns;
+    if (hasRuns)
+        if (const auto able = checkHorizonDays(sun); !able) return tl::make_unexpected(able.error());
     OverhangParts overhangs;
     const WallList walls =
         collectStandingObstacles(city, findBuildingsInReach(city, receivers, sun), receivers, overhangs);
     const auto overhanging = makeOverhangShapes(overhangs, receivers.grid, walls.datumM);
     if (!overhanging) return tl::make_unexpected(overhanging.error());
-    const BinnedSun binned = binSun(sun, HorizonSweepSettings{.counts = ShadowCounts::gross});
+    const BinnedSun binned = binSun(sun, HorizonSweepSettings{.counts = counts});
     const CrownSweep crownSweep(crowns, binned, sets, receivers.grid, walls.datumM,
-                                CrownSweep::widestGroupDeg);
+                                CrownSweep::widestGroup(counts));
     ProgressShare whole(progress, 0, 1);  // without the partial results, which know no trees
-    PeriodSweep sweep(walls, *overhanging, receivers, sun, binned, ShadowCounts::gross, nullptr, whole, stop);
+    PeriodSweep sweep(walls, *overhanging, receivers, sun, binned, counts, nullptr, whole, stop);
     sweep.weigh(&crownSweep, crowns.inLeaf);
     ShadowField field = makeBlankField(receivers, sun);
     if (const auto done = sweep.run(field); !done) return tl::make_unexpected(done.error());
     const PeriodSweep::TakenSteps& taken = sweep.takenSteps();
-    return TakenBySet{toMinutes(taken.evergreen, sun.stepMinutes), toMinutes(taken.seasonal, sun.stepMinutes),
-                      crowns.crowns.size(), describeCrowns(false)};
+    TakenBySet found{toMinutes(taken.evergreen, sun.stepMinutes), toMinutes(taken.seasonal, sun.stepMinutes)};
+    if (hasRuns) found.runs = listRuns(field, taken, receivers);
+    found.treesUsed = crowns.crowns.size();
+    found.how = describeCrowns(hasRuns);
+    return found;
 }
 
 HorizonSweep::HorizonSweep(HorizonSweepSettings settings) : settings_(settings) {}

@@ -97,20 +97,9 @@ private:
 
     // The crowns that may shade a cell of a tile.
     [[nodiscard]] std::vector<std::uint32_t> findNear(const std::vector<std::uint32_t>& cells) const {
-        const glm::dvec3 first(receivers_.position(cells.front()));
-        double widthM = 0, lowestM = first.z;
-        for (const std::uint32_t cell : cells) {
-            const glm::dvec3 place(receivers_.position(cell));
-            widthM = std::max(widthM, std::hypot(place.x - first.x, place.y - first.y));
-            lowestM = std::min(lowestM, place.z);
-        }
-        std::vector<std::uint32_t> near;
-        for (std::uint32_t i = 0; i < crowns_.crowns.size(); ++i) {
-            const Crown& crown = crowns_.crowns[i];
-            const double gapM = std::hypot(crown.x - first.x, crown.y - first.y) - widthM - crown.radiusM - 1;
-            if (gapM <= 0 || crown.topM - lowestM >= sun_.lowestTan * gapM) near.push_back(i);
-        }
-        return near;
+        std::vector<glm::vec3> places;
+        for (const std::uint32_t cell : cells) places.push_back(receivers_.position(cell));
+        return findCrownsNear(crowns_.crowns, places, sun_.lowestTan);
     }
 
     void trace(std::uint32_t cell, glm::vec3 origin, const CrownsAround& around) const {
@@ -135,18 +124,12 @@ private:
 
     void addStep(std::size_t step, int lane, bool blocked, glm::dvec3 origin, const CrownsAround& around,
                  CrownColumn& evergreen, CrownColumn& seasonal) const {
-        double inLeaf = 0, bare = 0;  // optical depths
-        const std::size_t phase = crowns_.phases.at(step);
+        CrownDepth depth;
         if (!blocked)
-            for (const std::uint32_t index : around.at(sun_.slots[step])) {
-                const Crown& crown = crowns_.crowns[index];
-                const double chord = computeChord(crown, origin, sun_.directions[step]);
-                inLeaf += chord * crown.leafOnPerM;
-                bare += chord * crowns_.phases.perM(phase, crown);
-            }
-        const double season = crowns_.inLeaf[step] != 0 ? inLeaf : bare;
-        evergreen.add(lane, blocked, -std::expm1(-inLeaf), shade_.shadedFrom);
-        seasonal.add(lane, blocked, -std::expm1(-season), shade_.shadedFrom);
+            depth = around.depthAt(sun_.slots[step], crowns_.crowns, origin, sun_.directions[step],
+                                   crowns_.phases, crowns_.phases.at(step));
+        evergreen.add(lane, blocked, depth.takenShare(true), shade_.shadedFrom);
+        seasonal.add(lane, blocked, depth.takenShare(crowns_.inLeaf[step] != 0), shade_.shadedFrom);
     }
 
     void write(std::uint32_t cell, const CrownColumn& column, ShadowField& field) const {

@@ -114,18 +114,13 @@ TreeShade makeTreeShade(const ShadowField& without, std::size_t treesUsed) {
     return {.evergreen = copyOfColumn(without), .seasonal = copyOfColumn(without), .treesUsed = treesUsed};
 }
 
-namespace {
-
-constexpr std::size_t receiversOfWord = 64;
-
-// The crowns that may shade one of these origins.
-std::vector<std::uint32_t> findCrownsNear(const std::vector<Crown>& crowns,
-                                          std::span<const glm::vec3> origins, double lowestTan) {
-    const glm::dvec3 first(origins.front());
+std::vector<std::uint32_t> findCrownsNear(const std::vector<Crown>& crowns, std::span<const glm::vec3> places,
+                                          double lowestTan) {
+    const glm::dvec3 first(places.front());
     double widthM = 0, lowestM = first.z;
-    for (const glm::vec3 origin : origins) {
-        widthM = std::max(widthM, std::hypot(double(origin.x) - first.x, double(origin.y) - first.y));
-        lowestM = std::min(lowestM, double(origin.z));
+    for (const glm::vec3 place : places) {
+        widthM = std::max(widthM, std::hypot(double(place.x) - first.x, double(place.y) - first.y));
+        lowestM = std::min(lowestM, double(place.z));
     }
     std::vector<std::uint32_t> near;
     for (std::uint32_t i = 0; i < crowns.size(); ++i) {
@@ -135,8 +130,6 @@ std::vector<std::uint32_t> findCrownsNear(const std::vector<Crown>& crowns,
     }
     return near;
 }
-
-}  // namespace
 
 CrownMasks::CrownMasks(const City& city, const Box2& receivers, float lowestM, const SunSteps& sun) {
     const std::vector<std::uint32_t> trees = findTreesInReach(city, receivers, lowestM, sun);
@@ -153,6 +146,7 @@ void CrownMasks::addTo(StepMasks& masks, CivilDate day, std::span<const SunStep>
     LeafPhases phase = findLeafPhases(seasons_, ofYear);
     if (!phase.empty()) phase.ofStep.assign(steps.size(), 0);
     // Each word of a step belongs to one task.
+    constexpr std::size_t receiversOfWord = 64;
     tbb::parallel_for(std::size_t{0}, masks.wordsPerStep(), [&](std::size_t word) {
         const FlushDenormals flush;
         const std::size_t first = word * receiversOfWord,

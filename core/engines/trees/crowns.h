@@ -52,10 +52,16 @@ struct CrownScene {
     [[nodiscard]] bool empty() const { return crowns.empty(); }
 };
 
+/// Longest unbroken shadow as a sweep finds it, minutes by receiver.
+struct SweptRuns {
+    std::vector<float> without, evergreen, seasonal;
+};
+
 /// What crowns take of the sun that buildings leave, minutes by set of steps and then by receiver, and with
 /// every tree in leaf all year or bare out of season.
 struct TakenBySet {
     std::vector<std::vector<float>> evergreen, seasonal;
+    SweptRuns runs;             ///< over all sets; empty: not counted
     std::size_t treesUsed = 0;  ///< trees whose shadow can reach a receiver
     std::string how;            ///< in words, for the report
     [[nodiscard]] const std::vector<std::vector<float>>& of(TreeColumns column) const {
@@ -73,6 +79,11 @@ CrownScene makeCrownScene(const City& city, std::vector<std::uint32_t> trees, co
 CrownScene findCrowns(const City& city, const Receivers& receivers, const SunSteps& sun);
 /// Of points on any surface, likewise.
 CrownScene findCrowns(const City& city, const SurfacePoints& points, const SunSteps& sun);
+
+/// Which crowns may shade one of these places, of which there is one. `lowestTan`: of the lowest sun's
+/// altitude. O(places + crowns).
+std::vector<std::uint32_t> findCrownsNear(const std::vector<Crown>& crowns, std::span<const glm::vec3> places,
+                                          double lowestTan);
 
 /// Both columns as the field without trees, without its cost and warnings.
 TreeShade makeTreeShade(const ShadowField& without, std::size_t treesUsed);

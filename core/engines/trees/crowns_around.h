@@ -18,6 +18,13 @@
 
 namespace noonmark {
 
+/// Optical depths with all crowns in leaf, and out of season or in a phase.
+struct CrownDepth {
+    double inLeaf = 0, bare = 0;
+    /// Share of the sun that is taken. `isInLeaf`: CrownScene::inLeaf.
+    [[nodiscard]] double takenShare(bool isInLeaf) const { return -std::expm1(-(isInLeaf ? inLeaf : bare)); }
+};
+
 /// The crowns that may stand between one receiver and the sun, by azimuth. Reuses its memory.
 class CrownsAround {
 public:
@@ -39,6 +46,20 @@ public:
     }
 
     [[nodiscard]] std::span<const std::uint32_t> at(std::uint16_t slot) const { return crowns_[slot]; }
+
+    /// Of a ray from the receiver. `crowns`, `origin`: as gathered; `slot`: of the direction, a unit vector.
+    [[nodiscard]] CrownDepth depthAt(std::uint16_t slot, const std::vector<Crown>& crowns, glm::dvec3 origin,
+                                     glm::dvec3 direction, const LeafPhases& phases,
+                                     std::size_t phase) const {
+        CrownDepth depth;
+        for (const std::uint32_t index : crowns_[slot]) {
+            const Crown& crown = crowns[index];
+            const double chord = computeChord(crown, origin, direction);
+            depth.inLeaf += chord * crown.leafOnPerM;
+            depth.bare += chord * phases.perM(phase, crown);
+        }
+        return depth;
+    }
 
 private:
     static int slotOf(double azimuth) {
@@ -112,6 +133,39 @@ private:
     double lowestTan_ = 1e9;
 };
 
+/// What a scene's crowns take of the sun from one place after the other, in exact directions. Reuses its
+/// memory; for one thread. The scene must outlive it.
+class CrownsOverPlace {
+public:
+    explicit CrownsOverPlace(const CrownScene& scene) : scene_(scene), all_(scene.crowns.size()) {
+        std::iota(all_.begin(), all_.end(), 0U);
+    }
+    /// False: none can shade it.
+    bool begin(glm::dvec3 origin, double lowestTan) {
+        origin_ = origin;
+        return around_.gather(scene_.crowns, all_, origin, lowestTan);
+    }
+
+    struct Taken {
+        double evergreen = 0, seasonal = 0;  ///< shares of the sun
+        [[nodiscard]] double of(TreeColumns column) const {
+            return column == TreeColumns::evergreen ? evergreen : seasonal;
+        }
+    };
+    /// `step`: of the scene's steps, whose leaves count. `direction`: of the sun, a unit vector.
+    [[nodiscard]] Taken at(std::size_t step, glm::dvec3 direction) const {
+        const CrownDepth depth = around_.depthAt(CrownsAround::slotOf(direction), scene_.crowns, origin_,
+                                                 direction, scene_.phases, scene_.phases.at(step));
+        return {depth.takenShare(true), depth.takenShare(scene_.inLeaf[step] != 0)};
+    }
+
+private:
+    const CrownScene& scene_;
+    std::vector<std::uint32_t> all_;
+    CrownsAround around_;
+    glm::dvec3 origin_{};
+};
+
 /// What crowns let through to one point, found where it is asked for. Reuses its memory; for one thread.
 /// Crowns, patches and phases must outlive it.
 class CrownsOverPoint {
@@ -129,36 +183,24 @@ public:
     bool begin(glm::dvec3 origin) { return begin(origin, all_); }
     bool begin(glm::dvec3 origin, std::span<const std::uint32_t> some) {
         origin_ = origin;
-        std::ranges::fill(depths_, Depth{});
+        std::ranges::fill(depths_, Depth{notFound, 0});
         return around_.gather(crowns_, some, origin, patches_.lowestTan());
     }
 
-    struct Depth {
-        /// Optical depths with all crowns in leaf, and out of season or in the step's phase. inLeaf < 0: not
-        /// found yet.
-        double inLeaf = -1, bare = 0;
-        /// Share of the sun that is taken. `isInLeaf`: CrownScene::inLeaf.
-        [[nodiscard]] double takenShare(bool isInLeaf) const {
-            return -std::expm1(-(isInLeaf ? inLeaf : bare));
-        }
-    };
+    using Depth = CrownDepth;
     /// Of a step of the patches.
     const Depth& at(std::size_t step) {
         const std::uint32_t patch = patches_.ofStep(step);
         const std::size_t phase = phases_.at(step);
         Depth& depth = depths_[patch * phases_.count() + phase];
-        if (depth.inLeaf >= 0) return depth;
-        depth = {0, 0};
-        for (const std::uint32_t index : around_.at(patches_.slot(patch))) {
-            const Crown& crown = crowns_[index];
-            const double chord = computeChord(crown, origin_, patches_.direction(patch));
-            depth.inLeaf += chord * crown.leafOnPerM;
-            depth.bare += chord * phases_.perM(phase, crown);
-        }
+        if (depth.inLeaf == notFound)
+            depth = around_.depthAt(patches_.slot(patch), crowns_, origin_, patches_.direction(patch),
+                                    phases_, phase);
         return depth;
     }
 
 private:
+    static constexpr double notFound = -1;
     const std::vector<Crown>& crowns_;
     const SunPatches& patches_;
     const LeafPhases& phases_;

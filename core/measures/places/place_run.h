@@ -33,12 +33,14 @@ public:
     struct Shaded {
         DayTimeline evergreen, seasonal;
     };
-    /// The timeline of a place with trees: areas at each step and area x hours, weighted by what buildings
+    /// The timeline of a place with trees. Areas at each step and area x hours are weighted by what buildings
     /// and crowns take from the sun at each cell; a cell's incremental shadow is what the scenario takes
-    /// more. Times, longest stays and covers are not counted. `without`: the same day with its steps. Some 10
-    /// ns for each lit cell and step and each crown near it. Returns unfinished sums when stopped.
+    /// more. Times, longest stays and covers count a cell as shaded from TreeShade::defaultShadedFrom on.
+    /// `without`: the same day with its steps. Some 10 ns for each lit cell and step and each crown near it,
+    /// and what computeTimeline() costs, twice. Returns unfinished sums when stopped.
     [[nodiscard]] Shaded shade(std::size_t place, std::size_t day, const PlaceShadow& shadow,
-                               const DayTimeline& without, const std::stop_token& stop) const;
+                               const DayTimeline& without, const TimelineSettings& settings,
+                               const std::stop_token& stop) const;
 
 private:
     const PlaceReceivers& places_;

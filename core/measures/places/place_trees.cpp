@@ -1,10 +1,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
 
 #include "core/engines/ray/ray_reference.h"
 #include "core/engines/trees/crowns_around.h"
@@ -34,44 +32,6 @@ struct AddedAreas {
     }
 };
 
-/// By step, with trees as evergreens and with their seasons.
-struct AddedSteps {
-    explicit AddedSteps(std::size_t steps) : evergreen(steps), seasonal(steps) {}
-    std::vector<AddedAreas> evergreen, seasonal;
-};
-
-/// The crowns of one city around one cell after the other.
-class CrownsOverCell {
-public:
-    explicit CrownsOverCell(const CrownScene& scene) : scene_(scene), all_(scene.crowns.size()) {
-        std::iota(all_.begin(), all_.end(), 0U);
-    }
-    bool begin(glm::dvec3 origin, double lowestTan) {
-        origin_ = origin;
-        return around_.gather(scene_.crowns, all_, origin, lowestTan);
-    }
-    struct Taken {
-        double evergreen = 0, seasonal = 0;  // shares of the sun
-    };
-    [[nodiscard]] Taken at(std::size_t step, glm::dvec3 direction) const {
-        double inLeaf = 0, bare = 0;  // optical depths
-        const std::size_t phase = scene_.phases.at(step);
-        for (const std::uint32_t index : around_.at(CrownsAround::slotOf(direction))) {
-            const Crown& crown = scene_.crowns[index];
-            const double chord = computeChord(crown, origin_, direction);
-            inLeaf += chord * crown.leafOnPerM;
-            bare += chord * scene_.phases.perM(phase, crown);
-        }
-        return {-std::expm1(-inLeaf), -std::expm1(-(scene_.inLeaf[step] != 0 ? inLeaf : bare))};
-    }
-
-private:
-    const CrownScene& scene_;
-    std::vector<std::uint32_t> all_;
-    CrownsAround around_;
-    glm::dvec3 origin_{};
-};
-
 std::vector<double> listAreas(const PlaceShadow& shadow) {
     std::vector<double> areas(shadow.baseline.receivers, shadow.cellAreaM2);
     for (const WeightedCell& cell : shadow.uneven) areas[cell.bit] += cell.extra * shadow.cellAreaM2;
@@ -85,12 +45,16 @@ void addKind(ShadowOnPlace& kind, double areaM2, Instant at, double stepMinutes)
     kind.largestAt = at;
 }
 
-DayTimeline addAreas(const DayTimeline& without, const std::vector<AddedAreas>& added) {
-    DayTimeline day{.day = without.day,
-                    .areaM2 = without.areaM2,
-                    .sunlitMinutes = without.sunlitMinutes,
-                    .stepMinutes = without.stepMinutes,
-                    .steps = without.steps};
+void clearAreas(ShadowOnPlace& kind) {
+    kind.areaHoursM2 = kind.largestM2 = 0;
+    kind.largestAt.reset();
+}
+
+// `day`: that of the steps at which crowns count as shadow.
+DayTimeline setAreas(DayTimeline day, const DayTimeline& without, const std::vector<AddedAreas>& added) {
+    day.steps = without.steps;
+    for (ShadowOnPlace* kind : {&day.baseline, &day.scenario, &day.incremental, &day.gained})
+        clearAreas(*kind);
     for (std::size_t i = 0; i < day.steps.size(); ++i) {
         PlaceStep& step = day.steps[i];
         step.baselineM2 += added[i].baseline;
@@ -125,17 +89,52 @@ PlaceTrees::PlaceTrees(const City& baseline, const City* scenario, const PlaceRe
 
 std::size_t PlaceTrees::treesUsed() const { return std::max(before_.crowns.size(), after_.crowns.size()); }
 
+namespace {
+
+/// What crowns of one column add to a place on a day: areas by step, and shadow from
+/// TreeShade::defaultShadedFrom on.
+struct ShadedDay {
+    explicit ShadedDay(const PlaceShadow& without) : shadow(without), added(without.steps.size()) {}
+    PlaceShadow shadow;
+    std::vector<AddedAreas> added;
+};
+
+struct CellAtStep {
+    std::size_t step, cell;
+    bool wasDark, isDark;
+    double areaM2;
+};
+
+// `before`, `after`: shares that crowns take. Cells of one word of the masks belong to one task.
+void addCell(const CellAtStep& at, double before, double after, ShadedDay& day, AddedAreas& added) {
+    added.add(at.wasDark ? 1 : 0, at.isDark ? 1 : 0, at.wasDark ? 1 : before, at.isDark ? 1 : after,
+              at.areaM2);
+    if (before >= TreeShade::defaultShadedFrom) day.shadow.baseline.shade(at.step, at.cell);
+    if (after >= TreeShade::defaultShadedFrom) day.shadow.scenario.shade(at.step, at.cell);
+}
+
+using ByStep = std::vector<AddedAreas>;
+
+void addChunks(const std::vector<ByStep>& chunks, ByStep& sum) {
+    for (const ByStep& one : chunks)
+        for (std::size_t step = 0; step < one.size(); ++step) sum[step].add(one[step]);
+}
+
+}  // namespace
+
 PlaceTrees::Shaded PlaceTrees::shade(std::size_t place, std::size_t day, const PlaceShadow& shadow,
-                                     const DayTimeline& without, const std::stop_token& stop) const {
+                                     const DayTimeline& without, const TimelineSettings& settings,
+                                     const std::stop_token& stop) const {
     constexpr std::size_t cellsTogether = 256;
+    static_assert(cellsTogether % 64 == 0);
     const std::size_t steps = shadow.steps.size(), first = sun_.days[day].first;
     const std::vector<double> areas = listAreas(shadow);
     const std::size_t chunks = (areas.size() + cellsTogether - 1) / cellsTogether;
-    std::vector<AddedSteps> ofChunk(chunks, AddedSteps(steps));
+    ShadedDay evergreen(shadow), seasonal(shadow);
+    std::vector<ByStep> ofEvergreens(chunks, ByStep(steps)), ofSeasons = ofEvergreens;
     tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
         const FlushDenormals flush;
-        CrownsOverCell before(before_), after(differ_ ? after_ : before_);
-        AddedSteps& added = ofChunk[chunk];
+        CrownsOverPlace before(before_), after(differ_ ? after_ : before_);
         const std::size_t end = std::min(areas.size(), (chunk + 1) * cellsTogether);
         for (std::size_t cell = chunk * cellsTogether; cell < end && !stop.stop_requested(); ++cell) {
             const std::uint32_t index = places_.receivers.cells[places_.receiverOf(place, cell)];
@@ -143,27 +142,23 @@ PlaceTrees::Shaded PlaceTrees::shade(std::size_t place, std::size_t day, const P
             const bool hasBefore = before.begin(origin, lowestTan_);
             const bool hasAfter = differ_ ? after.begin(origin, lowestTan_) : hasBefore;
             for (std::size_t step = 0; (hasBefore || hasAfter) && step < steps; ++step) {
-                const bool wasDark = shadow.baseline.shaded(step, cell),
-                           isDark = shadow.scenario.shaded(step, cell);
-                if (wasDark && isDark) continue;
+                const CellAtStep at{step, cell, shadow.baseline.shaded(step, cell),
+                                    shadow.scenario.shaded(step, cell), areas[cell]};
+                if (at.wasDark && at.isDark) continue;
                 const glm::dvec3 direction = directions_[first + step];
                 const auto one = before.at(first + step, direction);
                 const auto other = differ_ ? after.at(first + step, direction) : one;
-                const double dark = wasDark ? 1 : 0, darkAfter = isDark ? 1 : 0;
-                added.evergreen[step].add(dark, darkAfter, wasDark ? 1 : one.evergreen,
-                                          isDark ? 1 : other.evergreen, areas[cell]);
-                added.seasonal[step].add(dark, darkAfter, wasDark ? 1 : one.seasonal,
-                                         isDark ? 1 : other.seasonal, areas[cell]);
+                addCell(at, one.evergreen, other.evergreen, evergreen, ofEvergreens[chunk][step]);
+                addCell(at, one.seasonal, other.seasonal, seasonal, ofSeasons[chunk][step]);
             }
         }
     });
-    AddedSteps all(steps);
-    for (const AddedSteps& one : ofChunk)
-        for (std::size_t step = 0; step < steps; ++step) {
-            all.evergreen[step].add(one.evergreen[step]);
-            all.seasonal[step].add(one.seasonal[step]);
-        }
-    return {addAreas(without, all.evergreen), addAreas(without, all.seasonal)};
+    addChunks(ofEvergreens, evergreen.added);
+    addChunks(ofSeasons, seasonal.added);
+    const auto timelineOf = [&](const ShadedDay& shaded) {
+        return setAreas(computeTimeline(shaded.shadow, settings), without, shaded.added);
+    };
+    return {timelineOf(evergreen), timelineOf(seasonal)};
 }
 
 }  // namespace noonmark

@@ -194,18 +194,18 @@ PointJson takenJson(const PointCrowns& crowns) {
     return list;
 }
 
-void addCrowns(PointJson& json, const PointCrowns& crowns, const City& city, bool wall) {
+void addCrowns(PointJson& json, const PointCrowns& crowns, const City& city, bool wall, const Zone& zone) {
     json["trees"] = crownsJson(crowns, city);
     json["taken_by_tree"] = takenJson(crowns);
-    json["sunlit_min_evergreen"] = roundAsText(crowns.dayEvergreenMin, 2);
-    json["sunlit_min_seasonal"] = roundAsText(crowns.daySeasonalMin, 2);
-    json["minutes_by_month_evergreen"] = listRounded(sumMonths(crowns.evergreen));
-    json["minutes_by_month_seasonal"] = listRounded(sumMonths(crowns.seasonal));
-    json["svf_evergreen"] = roundAsText(crowns.skyEvergreen.skyView, 5);
-    json["svf_seasonal"] = roundAsText(crowns.skySeasonal.skyView, 5);
-    if (!wall) return;
-    json["vsc_pct_evergreen"] = roundAsText(crowns.skyEvergreen.skyComponentPct, 3);
-    json["vsc_pct_seasonal"] = roundAsText(crowns.skySeasonal.skyComponentPct, 3);
+    for (const TreeColumns column : PointCrowns::columns) {
+        const PointShade& shade = crowns.of(column);
+        const std::string trees = suffixOf(column);
+        json["sunlit" + trees] = bandsJson(shade.sunlit, zone);
+        json["sunlit_min" + trees] = roundAsText(shade.dayMin, 2);
+        json["minutes_by_month" + trees] = listRounded(sumMonths(shade.minutes));
+        json["svf" + trees] = roundAsText(shade.sky.skyView, 5);
+        if (wall) json["vsc_pct" + trees] = roundAsText(shade.sky.skyComponentPct, 3);
+    }
 }
 
 void addView(PointJson& json, const PointView& view, const PointStudy& study, const City& city,
@@ -219,7 +219,7 @@ void addView(PointJson& json, const PointView& view, const PointStudy& study, co
     for (const auto& month : view.minutes) hours.push_back(listRounded(month));
     json["minutes_by_month"] = listRounded(sumMonths(view.minutes));
     json["minutes_by_month_and_hour"] = hours;
-    if (view.crowns) addCrowns(json, *view.crowns, city, study.question.facingDeg.has_value());
+    if (view.crowns) addCrowns(json, *view.crowns, city, study.question.facingDeg.has_value(), zone);
     json["svf"] = roundAsText(view.factors.skyView, 5);
     if (study.question.facingDeg) json["vsc_pct"] = roundAsText(view.factors.skyComponentPct, 3);
 }
@@ -299,9 +299,9 @@ std::map<std::uint32_t, double> skylineWidthsDeg(const PointView& view,
     return widths;
 }
 
-std::string sunlitText(const PointView& view, const Zone& zone) {
+std::string sunlitText(const std::vector<SunBand>& sunlit, const Zone& zone) {
     std::string text;
-    for (const SunBand& band : view.sunlit) text += (text.empty() ? "" : ", ") + clockText(band, zone);
+    for (const SunBand& band : sunlit) text += (text.empty() ? "" : ", ") + clockText(band, zone);
     return text.empty() ? "not at all" : text;
 }
 
@@ -313,7 +313,8 @@ std::string treesText(const PointCrowns& crowns) {
     return fmt::format(
         "{:.0f} min on the day and {:.0f} h in the year with their seasons, {:.0f} min and {:.0f} h "
         "as evergreens",
-        crowns.daySeasonalMin, hours(crowns.seasonal), crowns.dayEvergreenMin, hours(crowns.evergreen));
+        crowns.seasonal.dayMin, hours(crowns.seasonal.minutes), crowns.evergreen.dayMin,
+        hours(crowns.evergreen.minutes));
 }
 
 std::string takenText(const PointCrowns& crowns) {
@@ -333,10 +334,10 @@ std::string takenText(const PointCrowns& crowns) {
 
 std::string treesSkyText(const PointCrowns& crowns, bool wall) {
     std::string text = fmt::format("sky view factor {:.3f} with their seasons, {:.3f} as evergreens",
-                                   crowns.skySeasonal.skyView, crowns.skyEvergreen.skyView);
+                                   crowns.seasonal.sky.skyView, crowns.evergreen.sky.skyView);
     if (wall)
         text += fmt::format("; vertical sky component {:.1f} % and {:.1f} %",
-                            crowns.skySeasonal.skyComponentPct, crowns.skyEvergreen.skyComponentPct);
+                            crowns.seasonal.sky.skyComponentPct, crowns.evergreen.sky.skyComponentPct);
     return text;
 }
 
@@ -358,8 +359,8 @@ std::string pointCsv(const PointStudy& study) {
     const auto addView = [&](const std::string& name, const PointView& view) {
         add(name, view.minutes);
         if (!view.crowns) return;
-        add(name + suffixOf(TreeColumns::evergreen), view.crowns->evergreen);
-        add(name + suffixOf(TreeColumns::seasonal), view.crowns->seasonal);
+        for (const TreeColumns column : PointCrowns::columns)
+            add(name + suffixOf(column), view.crowns->of(column).minutes);
     };
     addView("baseline_min", study.baseline);
     if (study.scenario) addView("scenario_min", *study.scenario);

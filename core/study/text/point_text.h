@@ -22,8 +22,8 @@ nlohmann::ordered_json pointJson(const PointStudy& study, const City& city, cons
 /// `scenarios` of `noonmark-cli point --all-scenarios`. `wall`: the vertical sky component is known.
 nlohmann::ordered_json pointCasesJson(const std::vector<PointCaseFigures>& cases, bool wall);
 
-/// The sunlit times of the day on the clock: "09:46-10:41, 12:06-14:15", or "not at all".
-std::string sunlitText(const PointView& view, const Zone& zone);
+/// Sunlit times of the day on the clock: "09:46-10:41, 12:06-14:15", or "not at all".
+std::string sunlitText(const std::vector<SunBand>& sunlit, const Zone& zone);
 
 /// The sun that crowns leave: "212 min on the day and 1,240 h in the year with their seasons, ...".
 std::string treesText(const PointCrowns& crowns);

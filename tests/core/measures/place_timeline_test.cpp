@@ -246,7 +246,7 @@ TEST(PlaceStudy, WeighsCrownsAtEachStep) {
     PlaceTrees::Shaded shaded;
     const auto take = [&](std::size_t day, std::span<const PlaceShadow> shadows) -> Result<void> {
         without = computeTimeline(shadows[0]);
-        shaded = trees.shade(0, day, shadows[0], without, {});
+        shaded = trees.shade(0, day, shadows[0], without, {}, {});
         return {};
     };
     ASSERT_TRUE(shadePlaces(ProjectedShadows(), before, &after, cells, sun, take, quiet, {}));
@@ -270,6 +270,65 @@ TEST(PlaceStudy, WeighsCrownsAtEachStep) {
         EXPECT_NEAR(day.scenario.largestM2, is, 1e-3 * is);
     }
     EXPECT_LT(shaded.seasonal.steps[0].scenarioM2, shaded.evergreen.steps[0].scenarioM2);
+}
+
+// One tree that stands and one that is planted, and a sun that stands still for two minutes: the middles of
+// their shadows, 6.5 m north of the stems, are dark, and what lies between the stems is not.
+TEST(PlaceStudy, HasTimesAndCoversOfCellsThatCrownsDarken) {
+    const auto plant = [&](std::vector<glm::dvec2> places) {
+        Trees trees{{}, {100, 300}, true};
+        for (const glm::dvec2 place : places)
+            trees.trees.push_back({.place = place,
+                                   .heightM = 10,
+                                   .crownBaseM = 3,
+                                   .crownDiameterM = 8,
+                                   .leafOnTransmissivity = 0.1F,
+                                   .leafOffTransmissivity = 0.9F});
+        return std::make_shared<const Trees>(trees);
+    };
+    City before, after;
+    before.trees = plant({{10, 110}});
+    after.trees = plant({{10, 110}, {30, 120}});
+    const City* const cities[]{&before, &after};
+    const std::vector<Place> places{squareAt("below the old tree", 9, 115, 3),
+                                    squareAt("below the new tree", 29, 125, 3), squareAt("lit", 18, 112, 4)};
+    const auto cells = placeReceiversOnPlaces(cities, places, {.cellM = 1}).value();
+    SunSteps sun = oneDay({{180, 45}, {180, 45}});
+    sun.days[0].date = std::chrono::year(2026) / 1 / 15;
+    for (std::size_t i = 0; i < 2; ++i) sun.steps[i].at = noon + i * 1min;
+    NoProgress quiet;
+    const PlaceTrees trees(before, &after, cells, sun);
+    std::vector<DayTimeline> without;
+    std::vector<PlaceTrees::Shaded> with;
+    const auto take = [&](std::size_t day, std::span<const PlaceShadow> shadows) -> Result<void> {
+        for (std::size_t i = 0; i < shadows.size(); ++i) {
+            without.push_back(computeTimeline(shadows[i]));
+            with.push_back(trees.shade(i, day, shadows[i], without.back(), {}, {}));
+        }
+        return {};
+    };
+    ASSERT_TRUE(shadePlaces(ProjectedShadows(), before, &after, cells, sun, take, quiet, {}));
+    const DayTimeline &old = with[0].evergreen, &fresh = with[1].evergreen, &lit = with[2].evergreen;
+    EXPECT_EQ(without[0].fullCoverMin, 0);
+    EXPECT_EQ(old.fullCoverMin, 2);
+    EXPECT_EQ(old.allSunTakenMin, 0) << "the baseline has the tree, too";
+    EXPECT_EQ(old.baseline.enters(), noon);
+    EXPECT_EQ(old.baseline.exits(), noon + 2min);
+    EXPECT_EQ(old.baseline.longest->minutes, 2);
+    EXPECT_LT(old.baseline.areaHoursM2, old.areaM2 * 2 / 60) << "areas are weighted";
+    EXPECT_EQ(old.incremental.minutes, 0);
+    EXPECT_EQ(fresh.fullCoverMin, 2);
+    EXPECT_EQ(fresh.allSunTakenMin, 2);
+    EXPECT_EQ(fresh.baseline.minutes, 0);
+    EXPECT_EQ(fresh.incremental.minutes, 2);
+    EXPECT_EQ(fresh.incremental.longest->minutes, 2);
+    EXPECT_TRUE(lit.scenario.intervals.empty());
+    EXPECT_FALSE(lit.scenario.longest);
+    for (const PlaceTrees::Shaded& bare : with) {
+        EXPECT_EQ(bare.seasonal.scenario.minutes, 0) << "bare crowns take less than half";
+        EXPECT_EQ(bare.seasonal.fullCoverMin, 0);
+    }
+    EXPECT_GT(with[1].seasonal.incremental.areaHoursM2, 0);
 }
 
 // Enters and exits to the step and areas to the cell, on parks among the blocks of the grid sample.

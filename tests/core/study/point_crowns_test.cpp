@@ -83,6 +83,18 @@ TEST(PointCrowns, ACrownAcrossNorthHasAColumnThere) {
     EXPECT_TRUE(std::ranges::any_of(columns, [](const auto& one) { return one.azimuthDeg == 360; }));
 }
 
+TEST(PointCrowns, TimesAreOfLessThanHalfOfTheSunTaken) {
+    const PointStudy thin = lookAround(cityWith({cylinderAt({0, -16}, 0.9F, 0.9F)}), december, 2);
+    ASSERT_TRUE(thin.baseline.crowns);
+    EXPECT_LT(thin.baseline.crowns->evergreen.dayMin, thin.baseline.sunlit.front().minutes() - 5);
+    EXPECT_EQ(thin.baseline.crowns->evergreen.sunlit, thin.baseline.sunlit);
+    // Behind a house none are lit, whatever stands before it.
+    const City hidden = cityWith({cylinderAt({0, -16}, 0.1F, 0.7F)}, {{{-300, -40, 0}, {300, -30, 200}}});
+    const PointStudy dark = lookAround(hidden, december, 2);
+    ASSERT_TRUE(dark.baseline.crowns);
+    EXPECT_EQ(dark.baseline.crowns->evergreen.sunlit, dark.baseline.sunlit);
+}
+
 TEST(PointCrowns, WhatStandsBehindAHouseIsNotSeen) {
     const City city = cityWith({cylinderAt({0, -40}, 0.1F, 0.7F)}, {{{-30, -20, 0}, {30, -10, 30}}});
     const PointStudy study = lookAround(city, december);
@@ -96,15 +108,25 @@ TEST(PointCrowns, MinutesAreThoseOfTheSharesThatPass) {
     ASSERT_TRUE(winter.baseline.crowns);
     const double openInWinter = winter.baseline.sunlit.front().minutes();
     EXPECT_FALSE(winter.baseline.crowns->inLeaf);
-    EXPECT_NEAR(winter.baseline.crowns->daySeasonalMin, openInWinter, 2);
+    EXPECT_NEAR(winter.baseline.crowns->seasonal.dayMin, openInWinter, 2);
     // The noon sun of 16.6 degrees stands behind the crown, from atan(4 / 19) = 11.9 to atan(10 / 13) = 37.6
     // degrees, for asin(3 / 16) = 10.8 degrees of azimuth to either side: some 85 minutes.
-    EXPECT_LT(winter.baseline.crowns->dayEvergreenMin, openInWinter - 60);
+    EXPECT_LT(winter.baseline.crowns->evergreen.dayMin, openInWinter - 60);
     EXPECT_TRUE(summer.baseline.crowns->inLeaf);
-    EXPECT_EQ(summer.baseline.crowns->daySeasonalMin, summer.baseline.crowns->dayEvergreenMin);
+    EXPECT_EQ(summer.baseline.crowns->seasonal.dayMin, summer.baseline.crowns->evergreen.dayMin);
+    // So are its times: the crown parts the winter's day in two, and what is bare parts none.
+    const PointShade &evergreens = winter.baseline.crowns->evergreen,
+                     &seasons = winter.baseline.crowns->seasonal;
+    EXPECT_EQ(seasons.sunlit, winter.baseline.sunlit);
+    ASSERT_EQ(evergreens.sunlit.size(), 2U);
+    EXPECT_EQ(evergreens.sunlit.front().from, winter.baseline.sunlit.front().from);
+    EXPECT_NEAR(evergreens.sunlit.front().minutes() + evergreens.sunlit.back().minutes(), evergreens.dayMin,
+                3);
+    EXPECT_NEAR(evergreens.sunlit.front().minutes(), evergreens.sunlit.back().minutes(), 2)
+        << "it stands due south";
     const auto all = sumMonths(winter.baseline.minutes),
-               seasonal = sumMonths(winter.baseline.crowns->seasonal),
-               evergreen = sumMonths(winter.baseline.crowns->evergreen);
+               seasonal = sumMonths(winter.baseline.crowns->seasonal.minutes),
+               evergreen = sumMonths(winter.baseline.crowns->evergreen.minutes);
     EXPECT_NEAR(seasonal[0], all[0], 1e-3 * all[0]) << "bare in January";
     EXPECT_LT(evergreen[0], 0.9 * all[0]);
     EXPECT_NEAR(seasonal[6], evergreen[6], 1e-6) << "in leaf in July";
@@ -160,9 +182,9 @@ TEST(PointCrowns, TheSkyBelowASlabOfLeavesIsThatOfTheClosedForm) {
     const double inLeaf = skyBelowSlab(-std::log(0.5) * 6 / meanChordM),
                  bare = skyBelowSlab(-std::log(0.8) * 6 / meanChordM);
     EXPECT_NEAR(study.baseline.factors.skyView, 1, 1e-6);
-    EXPECT_NEAR(crowns.skyEvergreen.skyView, inLeaf, 5e-4);
+    EXPECT_NEAR(crowns.evergreen.sky.skyView, inLeaf, 5e-4);
     const double share = 214 / 365.0;  // of the days from the 106th to the 320th
-    EXPECT_NEAR(crowns.skySeasonal.skyView, share * inLeaf + (1 - share) * bare, 1.5e-3);
+    EXPECT_NEAR(crowns.seasonal.sky.skyView, share * inLeaf + (1 - share) * bare, 1.5e-3);
     EXPECT_GT(bare - inLeaf, 0.1) << "the seasons differ";
 }
 
@@ -175,7 +197,7 @@ TEST(PointCrowns, TheSkyWithLeafDaysOfSingleTreesIsTheMeanOfTheDays) {
         first.leafOffDay = nearer.off;
         second.leafOnDay = other.on;
         second.leafOffDay = other.off;
-        return lookAround(cityWith({first, second}), june).baseline.crowns->skySeasonal;
+        return lookAround(cityWith({first, second}), june).baseline.crowns->seasonal.sky;
     };
     constexpr LeafDays always{1, 1}, never{366, 367};
     const SkyFactors both = sky(always, always), nearer = sky(always, never), other = sky(never, always),
@@ -221,11 +243,11 @@ TEST(PointCrowns, TheSkyBesideABallIsThatOfRays) {
     const double perM = -std::log(0.1) / (4 * 3.0 / 3);  // 4 V / S of a ball of 3 m
     const glm::dvec3 middle(0.5, -5, 7), eye(0, 0, 1.5);
     EXPECT_NEAR(study.baseline.factors.skyComponentPct, 39.6, 0.1);
-    EXPECT_NEAR(crowns.skyEvergreen.skyComponentPct, lightBesideABall(middle, 3, perM, eye, true), 0.03);
-    EXPECT_NEAR(crowns.skyEvergreen.skyView, lightBesideABall(middle, 3, perM, eye, false), 3e-4);
-    EXPECT_LT(crowns.skyEvergreen.skyComponentPct, study.baseline.factors.skyComponentPct - 3);
-    EXPECT_LT(crowns.skyEvergreen.skyComponentPct, crowns.skySeasonal.skyComponentPct);
-    EXPECT_LT(crowns.skySeasonal.skyComponentPct, study.baseline.factors.skyComponentPct);
+    EXPECT_NEAR(crowns.evergreen.sky.skyComponentPct, lightBesideABall(middle, 3, perM, eye, true), 0.03);
+    EXPECT_NEAR(crowns.evergreen.sky.skyView, lightBesideABall(middle, 3, perM, eye, false), 3e-4);
+    EXPECT_LT(crowns.evergreen.sky.skyComponentPct, study.baseline.factors.skyComponentPct - 3);
+    EXPECT_LT(crowns.evergreen.sky.skyComponentPct, crowns.seasonal.sky.skyComponentPct);
+    EXPECT_LT(crowns.seasonal.sky.skyComponentPct, study.baseline.factors.skyComponentPct);
 }
 
 TEST(PointCrowns, TreesAreChargedWithWhatAllOfThemTake) {
@@ -246,9 +268,9 @@ TEST(PointCrowns, TreesAreChargedWithWhatAllOfThemTake) {
         sum.daySeasonal += one.daySeasonal;
     }
     const double lit = minutesOf(study.baseline.minutes);
-    EXPECT_NEAR(sum.yearSeasonal, lit - minutesOf(crowns.seasonal), 0.01 * sum.yearSeasonal);
-    EXPECT_NEAR(sum.yearEvergreen, lit - minutesOf(crowns.evergreen), 0.01 * sum.yearEvergreen);
-    EXPECT_NEAR(sum.daySeasonal, study.baseline.sunlit.front().minutes() - crowns.daySeasonalMin, 2);
+    EXPECT_NEAR(sum.yearSeasonal, lit - minutesOf(crowns.seasonal.minutes), 0.01 * sum.yearSeasonal);
+    EXPECT_NEAR(sum.yearEvergreen, lit - minutesOf(crowns.evergreen.minutes), 0.01 * sum.yearEvergreen);
+    EXPECT_NEAR(sum.daySeasonal, study.baseline.sunlit.front().minutes() - crowns.seasonal.dayMin, 2);
     EXPECT_NEAR(trees[0].yearSeasonal, trees[1].yearSeasonal, 1e-9) << "of two in one place each has half";
     EXPECT_EQ(trees[2].tree, 2U) << "the thinnest takes least";
     EXPECT_THAT(takenText(crowns),

@@ -121,6 +121,10 @@ TEST_F(ProjectWindow, ScenariosOfAPointHaveLinesWithTrees) {
     EXPECT_EQ(text(2, 3), withPlus((with - without) / 60, groupDigits((with - without) / 60, 1)));
     EXPECT_TRUE(points.answer()->drawing.contains("(trees with their seasons)")) << "a carpet of its own";
 
+    const QString figures = window->findChild<QLabel*>(QStringLiteral("pointFigures"))->text();
+    EXPECT_EQ(figures.count(QStringLiteral("trees as evergreens:")), 1) << figures.toStdString();
+    EXPECT_EQ(figures.count(QStringLiteral("trees with their seasons:")), 1);
+
     auto* taken = window->findChild<QLabel*>(QStringLiteral("takenByTrees"));
     EXPECT_TRUE(taken->text().contains(QStringLiteral("Pinus"))) << taken->text().toStdString();
     Q_EMIT taken->linkActivated(QStringLiteral("planted 1"));

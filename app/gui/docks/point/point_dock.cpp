@@ -228,18 +228,18 @@ double hoursOf(const MonthHours& minutes) {
 QString treesOf(const PointCrowns& crowns) {
     return PointDock::tr(
                "%1 min on the day and %2 h in the year with their seasons; %3 min and %4 h as evergreens")
-        .arg(groupDigits(crowns.daySeasonalMin, 0), groupDigits(hoursOf(crowns.seasonal), 0),
-             groupDigits(crowns.dayEvergreenMin, 0), groupDigits(hoursOf(crowns.evergreen), 0));
+        .arg(groupDigits(crowns.seasonal.dayMin, 0), groupDigits(hoursOf(crowns.seasonal.minutes), 0),
+             groupDigits(crowns.evergreen.dayMin, 0), groupDigits(hoursOf(crowns.evergreen.minutes), 0));
 }
 
 QString skyWithTrees(const PointCrowns& crowns, bool wall) {
     QString text =
         PointDock::tr("\nSky view factor with trees: %1 with their seasons, %2 as evergreens")
-            .arg(groupDigits(crowns.skySeasonal.skyView, 3), groupDigits(crowns.skyEvergreen.skyView, 3));
+            .arg(groupDigits(crowns.seasonal.sky.skyView, 3), groupDigits(crowns.evergreen.sky.skyView, 3));
     if (wall)
         text += PointDock::tr("\nVertical sky component with trees: %1 % and %2 %")
-                    .arg(groupDigits(crowns.skySeasonal.skyComponentPct, 1),
-                         groupDigits(crowns.skyEvergreen.skyComponentPct, 1));
+                    .arg(groupDigits(crowns.seasonal.sky.skyComponentPct, 1),
+                         groupDigits(crowns.evergreen.sky.skyComponentPct, 1));
     return text;
 }
 
@@ -247,11 +247,18 @@ QString figuresOf(const PointView& view, const PointStudy& study, const Zone& zo
     const double lit = study.possibleMin - view.year.grossMin * double(study.sun.dayCount());
     QString text = PointDock::tr("In the sun on %1: %2\nIn the year: %3 h of %4 h\nSky view factor: %5")
                        .arg(QString::fromStdString(formatText(study.question.day)),
-                            QString::fromStdString(sunlitText(view, zone)))
+                            QString::fromStdString(sunlitText(view.sunlit, zone)))
                        .arg(groupDigits(lit / 60, 0))
                        .arg(groupDigits(study.possibleMin / 60, 0))
                        .arg(groupDigits(view.factors.skyView, 3));
-    if (view.crowns) text += PointDock::tr("\nWith trees: %1").arg(treesOf(*view.crowns));
+    if (view.crowns) {
+        for (const TreeColumns column : PointCrowns::columns)
+            text += PointDock::tr("\nIn the sun on %1, %2: %3", "a day, trees as evergreens, times")
+                        .arg(QString::fromStdString(formatText(study.question.day)),
+                             translated(describeTrees(column)),
+                             QString::fromStdString(sunlitText(view.crowns->of(column).sunlit, zone)));
+        text += PointDock::tr("\nWith trees: %1").arg(treesOf(*view.crowns));
+    }
     if (study.question.facingDeg)
         text +=
             PointDock::tr("\nVertical sky component: %1 %").arg(groupDigits(view.factors.skyComponentPct, 1));
@@ -305,6 +312,7 @@ PointDock::PointDock(PointInspector& inspector, QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->addWidget(makeSide());
     row->addWidget(scroll_, 1);
+    figures_->setObjectName(QStringLiteral("pointFigures"));
     taken_->setObjectName(QStringLiteral("takenByTrees"));
     taken_->setTextInteractionFlags(Qt::TextBrowserInteraction);
     taken_->hide();

@@ -39,23 +39,6 @@ void addGaps(const BinGaps& gaps, std::size_t first, RunMemory& memory) {
     }
 }
 
-// `overhangs`: sorted by lane.
-void forEachLane(std::span<const OverhangGap> overhangs, const auto& visit) {
-    for (std::size_t first = 0, end = 0; first < overhangs.size(); first = end) {
-        while (end < overhangs.size() && overhangs[end].gap.number == overhangs[first].gap.number) ++end;
-        visit(overhangs[first].gap.number, overhangs.subspan(first, end - first));
-    }
-}
-
-// `own`: sorted by bin.
-void setBins(std::span<const OverhangGap> own, std::vector<std::span<const OverhangGap>>& ofBin) {
-    std::ranges::fill(ofBin, std::span<const OverhangGap>());
-    for (std::size_t first = 0, end = 0; first < own.size(); first = end) {
-        while (end < own.size() && own[end].bin == own[first].bin) ++end;
-        ofBin[own[first].bin] = own.subspan(first, end - first);
-    }
-}
-
 RunCount measureRuns(const SunSteps& sun, const BinnedSun& binned) {
     return RunCount(makeTimedSteps(sun, binned));
 }
@@ -70,6 +53,15 @@ void forEachCell(const ReceiverBlocks& blocks, std::size_t part, const auto& vis
 }
 
 }  // namespace
+
+GapsByBin listByBin(std::span<const OverhangGap> own, std::size_t bins) {
+    GapsByBin ofBin(bins);
+    for (std::size_t first = 0, end = 0; first < own.size(); first = end) {
+        while (end < own.size() && own[end].bin == own[first].bin) ++end;
+        ofBin[own[first].bin] = own.subspan(first, end - first);
+    }
+    return ofBin;
+}
 
 PeriodCount::PeriodCount(const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts)
     : suns_(binned.bins.size()) {
@@ -116,15 +108,11 @@ void RunCount::walkWithOverhangs(RunMemory& memory, PartRuns& runs) const {
     const RunLanes maximum = runs_.of(memory.filled).longest;
     std::ranges::stable_sort(memory.overhangs, {},
                              [](const OverhangGap& overhangs) { return overhangs.gap.number; });
-    std::vector<std::span<const OverhangGap>> ofBin(memory.lanes.size());
     forEachLane(memory.overhangs, [&](std::size_t lane, std::span<const OverhangGap> own) {
         if (maximum.values[lane] == longest.values[lane]) return;
-        setBins(own, ofBin);
+        const GapsByBin ofBin = listByBin(own, memory.lanes.size());
         runs.below[lane] = runs_.ofOne([&](const StepPlace& place) {
-            return memory.lanes[place.bin].values[lane] > place.sun ||
-                   std::ranges::any_of(ofBin[place.bin], [&](const OverhangGap& overhangs) {
-                       return overhangs.gap.low <= place.sun && place.sun < overhangs.gap.high;
-                   });
+            return memory.lanes[place.bin].values[lane] > place.sun || isInGap(ofBin[place.bin], place.sun);
         });
         longest.values[lane] = std::int16_t(runs.below[lane].length());
     });

@@ -6,6 +6,7 @@
 // (walk_steps.h). run_decider.h finds which of these steps are in doubt, and longest_runs.h decides them
 // with rays.
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -32,11 +33,30 @@ struct OverhangGap {
     Gap gap;
 };
 
+/// The gaps of one lane by bin.
+using GapsByBin = std::vector<std::span<const OverhangGap>>;
+/// `own`: of one lane, sorted by bin.
+GapsByBin listByBin(std::span<const OverhangGap> own, std::size_t bins);
+
+inline bool isInGap(std::span<const OverhangGap> gaps, HorizonCode sun) {
+    return std::ranges::any_of(
+        gaps, [&](const OverhangGap& one) { return one.gap.low <= sun && sun < one.gap.high; });
+}
+
+/// Calls visit(lane, own) with the gaps of each lane that has any. `overhangs`: sorted by lane.
+template <class Visit>
+void forEachLane(std::span<const OverhangGap> overhangs, const Visit& visit) {
+    for (std::size_t first = 0, end = 0; first < overhangs.size(); first = end) {
+        while (end < overhangs.size() && overhangs[end].gap.number == overhangs[first].gap.number) ++end;
+        visit(overhangs[first].gap.number, overhangs.subspan(first, end - first));
+    }
+}
+
 /// Working memory for counting runs; one per thread.
 struct RunMemory {
     std::vector<RunLanes> lanes, filled;  // one per bin; `filled` only if there are overhangs
-    std::vector<OverhangGap> overhangs;
-    RunLanes undecided;  ///< longest runs of the part as horizons have them, before rays
+    std::vector<OverhangGap> overhangs;   // sorted by lane once the runs are found
+    RunLanes undecided;                   ///< longest runs of the part as horizons have them, before rays
     RunDecider::Memory deciding;
 };
 

@@ -36,15 +36,21 @@ struct alignas(64) RunLanes {
 /// entry per bin. 1 ns a step with AVX-512.
 void walkSteps(std::span<const RunLanes> horizons, std::span<const TimedStep> steps, RunLanes& longest);
 
-/// A step whose horizons are those of a level of altitude in a bin.
-struct LevelStep {
-    std::uint32_t level = 0;
+/// A step whose horizons are those of a span of altitudes in a bin.
+struct SpanStep {
+    std::uint32_t span = 0;
     HorizonCode sun = 0;
     bool startsRun = false;
 };
 
-/// The same where each level of altitude has lanes of its own, 64 codes each, aligned as RunLanes are.
-void walkLevels(std::span<const std::int16_t* const> lanes, std::span<const LevelStep> steps,
-                RunLanes& longest);
+/// What 64 receivers have hidden in a span: the suns of codes lower than `below`, and those higher than
+/// `above`. Aligned as RunLanes are.
+struct SpanLanes {
+    const HorizonCode* below = nullptr;
+    const HorizonCode* above = nullptr;
+};
+
+/// The same by spans. Some 2 ns a step.
+void walkSpans(std::span<const SpanLanes> spans, std::span<const SpanStep> steps, RunLanes& longest);
 
 }  // namespace noonmark

@@ -21,14 +21,26 @@ constexpr std::size_t lanes = hn::MaxLanes(d);
 constexpr std::size_t together = std::min<std::size_t>(4, lanesPerPart / lanes);
 
 HWY_INLINE HorizonCode codeOf(const TimedStep& step) { return step.place.sun; }
-HWY_INLINE HorizonCode codeOf(const LevelStep& step) { return step.sun; }
+HWY_INLINE HorizonCode codeOf(const SpanStep& step) { return step.sun; }
 
 /// Runs of some neighbouring lanes.
 struct Runs {
     V run[together], longest[together];
 };
 
-// `lanesOf`: the codes of a step's 64 lanes.
+/// The horizons of 64 lanes at a step.
+struct BelowHorizon {
+    const HorizonCode* codes;
+    HWY_INLINE auto hide(V sun, std::size_t at) const { return hn::Gt(hn::Load(d, codes + at), sun); }
+};
+struct OutsideSpan {
+    SpanLanes span;
+    HWY_INLINE auto hide(V sun, std::size_t at) const {
+        return hn::Or(hn::Gt(hn::Load(d, span.below + at), sun), hn::Gt(sun, hn::Load(d, span.above + at)));
+    }
+};
+
+// `lanesOf`: what hides suns from a step's 64 lanes.
 template <class Step, class LanesOf>
 HWY_INLINE void walkSome(std::span<const Step> steps, const LanesOf& lanesOf, std::size_t first,
                          std::int16_t* longest) {
@@ -40,12 +52,12 @@ HWY_INLINE void walkSome(std::span<const Step> steps, const LanesOf& lanesOf, st
         runs.longest[i] = hn::Load(d, longest + first + i * lanes);
     }
     for (const Step& step : steps) {
-        const std::int16_t* const of = lanesOf(step) + first;
+        const auto of = lanesOf(step);
         const V sun = hn::Set(d, codeOf(step));
         HWY_UNROLL(4)
         for (std::size_t i = 0; i < together; ++i) {
             if (step.startsRun) runs.run[i] = hn::Zero(d);
-            const auto hidden = hn::Gt(hn::Load(d, of + i * lanes), sun);
+            const auto hidden = of.hide(sun, first + i * lanes);
             runs.run[i] = hn::IfThenElseZero(hidden, hn::Add(runs.run[i], one));
             runs.longest[i] = hn::Max(runs.longest[i], runs.run[i]);
         }
@@ -57,14 +69,13 @@ HWY_INLINE void walkSome(std::span<const Step> steps, const LanesOf& lanesOf, st
 }  // namespace
 
 void walkSteps(Horizons horizons, std::span<const TimedStep> steps, RunLanes& longest) {
-    const auto lanesOf = [&](const TimedStep& step) { return horizons[step.place.bin].values; };
+    const auto lanesOf = [&](const TimedStep& step) { return BelowHorizon{horizons[step.place.bin].values}; };
     for (std::size_t first = 0; first < lanesPerPart; first += together * lanes)
         walkSome(steps, lanesOf, first, longest.values);
 }
 
-void walkLevels(std::span<const std::int16_t* const> lanesOfLevels, std::span<const LevelStep> steps,
-                RunLanes& longest) {
-    const auto lanesOf = [&](const LevelStep& step) { return lanesOfLevels[step.level]; };
+void walkSpans(std::span<const SpanLanes> spans, std::span<const SpanStep> steps, RunLanes& longest) {
+    const auto lanesOf = [&](const SpanStep& step) { return OutsideSpan{spans[step.span]}; };
     for (std::size_t first = 0; first < lanesPerPart; first += together * lanes)
         walkSome(steps, lanesOf, first, longest.values);
 }
@@ -80,10 +91,9 @@ void walkSteps(std::span<const RunLanes> horizons, std::span<const TimedStep> st
     NOONMARK_CALL(walkSteps)(horizons, steps, longest);
 }
 
-NOONMARK_KERNEL(walkLevels);
-void walkLevels(std::span<const std::int16_t* const> lanes, std::span<const LevelStep> steps,
-                RunLanes& longest) {
-    NOONMARK_CALL(walkLevels)(lanes, steps, longest);
+NOONMARK_KERNEL(walkSpans);
+void walkSpans(std::span<const SpanLanes> spans, std::span<const SpanStep> steps, RunLanes& longest) {
+    NOONMARK_CALL(walkSpans)(spans, steps, longest);
 }
 
 }  // namespace noonmark

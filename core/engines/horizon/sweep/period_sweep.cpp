@@ -261,7 +261,7 @@ void PeriodSweep::weigh(const CrownSweep* crowns, std::span<const std::uint8_t> 
     if (crowns == nullptr) return;
     const std::vector<std::vector<double>> none(crowns->sets(), std::vector<double>(receivers_.cells.size()));
     taken_ = {none, none, {}, {}};
-    if (!countsCrownRuns()) return;
+    if (count_.runs() == nullptr) return;
     crownRuns_.emplace(*crowns, count_.runs()->steps(), inLeaf);
     taken_.evergreenRuns.assign(receivers_.grid.size(), 0);
     taken_.seasonalRuns.assign(receivers_.grid.size(), 0);
@@ -323,8 +323,8 @@ void PeriodSweep::countRuns(const Tile& tile, ShadowField& field) {
 
 void PeriodSweep::countCrownRuns(const Tile& tile, std::size_t part, const RunLanes& decided,
                                  const RunMemory& memory) {
-    const CrownRunCount::Runs runs = crownRuns_->of(memory.lanes, tile.crownMarks, part, memory.undecided,
-                                                    decided, crownRunMemory_.local());
+    const CrownRunCount::Runs runs =
+        crownRuns_->of(memory, tile.crownMarks, part, decided, crownRunMemory_.local());
     const std::size_t first = part * lanesPerPart;
     for (std::size_t i = 0; i < lanesPerPart && first + i < tile.blocks.numbers(); ++i) {
         const std::uint32_t cell = tile.blocks.cell(first + i);

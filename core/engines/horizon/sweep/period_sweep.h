@@ -37,9 +37,6 @@ public:
                 const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts, RunRays* rays,
                 Progress& progress, std::stop_token stop);
 
-    /// Whether longest runs are counted with crowns, too. Light below an overhang parts their runs, which are
-    /// counted from horizons alone, so not where there are any.
-    [[nodiscard]] bool countsCrownRuns() const { return count_.runs() != nullptr && overhangs_.empty(); }
     /// Has crowns weighed along with the horizons; null: none. Both must outlive this object. `inLeaf`: one
     /// per step, as in CrownScene.
     void weigh(const CrownSweep* crowns, std::span<const std::uint8_t> inLeaf);

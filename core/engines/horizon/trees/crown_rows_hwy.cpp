@@ -332,31 +332,123 @@ void weighBlock(const CrownLevels& levels, const CrownDepths& shares, const Hori
     }
 }
 
-bool markShaded(const CrownLevels& levels, const CrownDepths& shares, float share, std::uint16_t* inLeaf,
-                std::uint16_t* bare, bool& anyBare) {
-    constexpr hn::Rebind<std::uint16_t, RowCells> rowBits;
-    unsigned some = 0, someBare = 0;
-    for (std::size_t row = 0; row < rowCells; ++row)
+namespace {
+
+constexpr hn::RebindToUnsigned<RowCells> rowBits;
+using Bits = hn::Vec<decltype(rowBits)>;
+
+HWY_INLINE Bits everyBits(DarkLevels value) { return hn::Set(rowBits, value); }
+
+/// Follows the shares of some cells from one level to the next.
+class DarkCells {
+public:
+    HWY_INLINE explicit DarkCells(float share) : share_(every(share)) {}
+
+    HWY_INLINE void add(std::size_t level, RowVector taken) {
+        const auto dark = hn::IfThenElseZero(hn::RebindMask(rowBits, hn::Ge(taken, share_)), everyBits(1));
+        if (next_ == 0)
+            before_ = dark;
+        else
+            addChange(hn::Xor(dark, before_), taken);
+        for (; next_ < level; ++next_) add(before_);
+        add(dark);
+        ++next_;
+        before_ = dark;
+        takenBefore_ = taken;
+    }
+    [[nodiscard]] HWY_INLINE Bits levels(std::size_t count) {
+        for (; next_ < count; ++next_) add(before_);
+        return levels_;
+    }
+
+private:
+    HWY_INLINE void add(Bits dark) { levels_ = hn::Or(levels_, hn::Shl(dark, everyBits(DarkLevels(next_)))); }
+    HWY_INLINE void addChange(Bits changed, RowVector taken) {
+        constexpr float parts = 1U << bitsOfChange;
+        const auto isChanged = hn::Gt(changed, hn::Zero(rowBits));
+        const auto rise =
+            hn::IfThenElse(hn::RebindMask(dr, isChanged), hn::Sub(taken, takenBefore_), every(1));
+        const auto way = hn::Mul(hn::Div(hn::Sub(share_, takenBefore_), rise), every(parts));
+        const auto part =
+            hn::BitCast(rowBits, hn::ConvertTo(rowWholes, hn::Min(notBelow0(way), every(parts - 1))));
+        const auto fits = hn::And(isChanged, hn::Lt(at_, everyBits(32)));
+        levels_ = hn::Or(levels_, hn::IfThenElseZero(fits, hn::Shl(part, hn::Min(at_, everyBits(31)))));
+        at_ = hn::Add(at_, hn::IfThenElseZero(isChanged, everyBits(bitsOfChange)));
+    }
+
+    RowVector share_, takenBefore_ = hn::Zero(dr);
+    Bits levels_ = hn::Zero(rowBits), before_ = hn::Zero(rowBits), at_ = everyBits(firstChangeBit);
+    std::size_t next_ = 0;
+};
+
+// `known`: levels, as bits. Untouched ones take nothing.
+template <class OfLevel>
+HWY_INLINE bool findDarkCells(unsigned known, unsigned touched, std::size_t count, float share,
+                              const OfLevel& sharesOf, DarkLevels* dark) {
+    DarkCells cells(share);
+    for (unsigned bits = known; bits != 0; bits &= bits - 1) {
+        const auto level = std::size_t(std::countr_zero(bits));
+        cells.add(level, (touched >> level & 1U) != 0 ? hn::Load(dr, sharesOf(level)) : hn::Zero(dr));
+    }
+    const auto levels = cells.levels(count);
+    hn::Store(levels, rowBits, dark);
+    return !hn::AllFalse(rowBits, hn::Gt(levels, hn::Zero(rowBits)));
+}
+
+}  // namespace
+
+bool findDark(const CrownLevels& levels, const CrownDepths& shares, const std::uint16_t* computed,
+              float share, DarkLevels* inLeaf, DarkLevels* bare, bool& anyBare) {
+    unsigned outOfSeason = 0;
+    for (std::size_t i = 0; i < levels.count; ++i) outOfSeason |= (levels.bare[i] > 0 ? 1U : 0U) << i;
+    bool any = false;
+    anyBare = false;
+    for (std::size_t row = 0; row < rowCells; ++row) {
+        const unsigned touched = shares.touched[row], known = touched == 0 ? 0 : computed[row];
         for (std::size_t cell = 0; cell < rowCells; cell += lanes) {
-            auto leafy = hn::Zero(rowWholes), leafless = leafy;
-            for (unsigned bits = shares.touched[row]; bits != 0; bits &= bits - 1) {
-                const auto i = std::size_t(std::countr_zero(bits));
-                const auto level = hn::Set(rowWholes, std::int32_t(1U << i));
-                const auto isDark = [&](const float* of) {
-                    return hn::IfThenElseZero(
-                        hn::RebindMask(rowWholes, hn::Ge(hn::Load(dr, of + cell), every(share))), level);
-                };
-                leafy = hn::Or(leafy, isDark(shares.inLeaf[row][i]));
-                if (levels.bare[i] > 0) leafless = hn::Or(leafless, isDark(shares.bare[row][i]));
-            }
             const std::size_t place = row * rowCells + cell;
-            hn::StoreU(hn::DemoteTo(rowBits, leafy), rowBits, inLeaf + place);
-            hn::StoreU(hn::DemoteTo(rowBits, leafless), rowBits, bare + place);
-            some |= hn::AllFalse(rowWholes, hn::Gt(leafy, hn::Zero(rowWholes))) ? 0U : 1U;
-            someBare |= hn::AllFalse(rowWholes, hn::Gt(leafless, hn::Zero(rowWholes))) ? 0U : 1U;
+            const auto find = [&](unsigned some, const auto& of, DarkLevels* dark) {
+                return findDarkCells(
+                    some, touched, levels.count, share,
+                    [&](std::size_t level) { return of[row][level] + cell; }, dark + place);
+            };
+            any = find(known, shares.inLeaf, inLeaf) || any;
+            anyBare = find(known & outOfSeason, shares.bare, bare) || anyBare;
         }
-    anyBare = someBare != 0;
-    return some != 0;
+    }
+    return any;
+}
+
+void makeDarkSpan(const CrownLevels& levels, std::size_t span, const HorizonCode* horizons, DarkLevels* dark,
+                  DarkSpan& made) {
+    const auto lower = int(span == 0 ? 0 : span - 1), upper = int(std::min(span, levels.count - 1));
+    const std::int32_t from = levels.meanCode[lower], width = levels.meanCode[upper] - from;
+    const auto none = hn::Set(rowWholes, std::numeric_limits<HorizonCode>::max());
+    for (std::size_t lane = 0; lane < lanesOfDark; lane += lanes) {
+        const auto bits = hn::LoadU(rowBits, dark + lane);
+        const auto isDark = [&](int level) {
+            const auto bit = everyBits(1U << unsigned(level));
+            return hn::RebindMask(rowWholes, hn::Eq(hn::And(bits, bit), bit));
+        };
+        const auto low = isDark(lower), high = isDark(upper);
+        const auto changes = hn::ShiftRight<firstChangeBit>(bits);
+        const auto part = hn::BitCast(rowWholes, hn::And(changes, everyBits((1U << bitsOfChange) - 1)));
+        const auto halves = hn::Add(hn::Add(part, part), hn::Set(rowWholes, 1));  // the middle of a part
+        const auto way = hn::ShiftRight<bitsOfChange + 1>(hn::Mul(halves, hn::Set(rowWholes, width)));
+        // Beyond the lower level's own sun.
+        const auto reached = hn::Add(hn::Set(rowWholes, from), hn::Max(way, hn::Set(rowWholes, 1)));
+        const auto horizon = hn::PromoteTo(rowWholes, hn::LoadU(rowCodes, horizons + lane));
+        const auto below =
+            hn::IfThenElse(low, hn::IfThenElse(high, none, hn::Max(horizon, reached)), horizon);
+        const auto above =
+            hn::IfThenElse(hn::AndNot(low, high), hn::Sub(reached, hn::Set(rowWholes, 1)), none);
+        hn::Store(hn::DemoteTo(rowCodes, below), rowCodes, made.below + lane);
+        hn::Store(hn::DemoteTo(rowCodes, above), rowCodes, made.above + lane);
+        const auto rest = hn::Or(hn::And(bits, everyBits((1U << firstChangeBit) - 1)),
+                                 hn::ShiftLeft<firstChangeBit>(hn::ShiftRight<bitsOfChange>(changes)));
+        const auto isChanged = hn::RebindMask(rowBits, hn::Xor(low, high));
+        hn::StoreU(hn::IfThenElse(isChanged, rest, bits), rowBits, dark + lane);
+    }
 }
 
 }  // namespace noonmark::HWY_NAMESPACE
@@ -388,10 +480,16 @@ void weighBlock(const CrownLevels& levels, const CrownDepths& shares, const Hori
     NOONMARK_CALL(weighBlock)(levels, shares, codes, fractions, evergreen, seasonal);
 }
 
-NOONMARK_KERNEL(markShaded);
-bool markShaded(const CrownLevels& levels, const CrownDepths& shares, float share, std::uint16_t* inLeaf,
-                std::uint16_t* bare, bool& anyBare) {
-    return NOONMARK_CALL(markShaded)(levels, shares, share, inLeaf, bare, anyBare);
+NOONMARK_KERNEL(findDark);
+bool findDark(const CrownLevels& levels, const CrownDepths& shares, const std::uint16_t* computed,
+              float share, DarkLevels* inLeaf, DarkLevels* bare, bool& anyBare) {
+    return NOONMARK_CALL(findDark)(levels, shares, computed, share, inLeaf, bare, anyBare);
+}
+
+NOONMARK_KERNEL(makeDarkSpan);
+void makeDarkSpan(const CrownLevels& levels, std::size_t span, const HorizonCode* horizons, DarkLevels* dark,
+                  DarkSpan& made) {
+    NOONMARK_CALL(makeDarkSpan)(levels, span, horizons, dark, made);
 }
 
 }  // namespace noonmark

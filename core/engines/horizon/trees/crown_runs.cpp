@@ -1,7 +1,6 @@
 #include "core/engines/horizon/trees/crown_runs.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 
 namespace noonmark {
@@ -28,11 +27,11 @@ void CrownMarks::begin(std::size_t bins, const ReceiverBlocks& blocks) {
     }
 }
 
-std::unique_ptr<CrownMarks::Levels[]> CrownMarks::copyMarks(std::size_t block, bool swapped,
-                                                            const Levels* of) const {
+std::unique_ptr<DarkLevels[]> CrownMarks::copyMarks(std::size_t block, bool swapped,
+                                                    const DarkLevels* of) const {
     const ReceiverBlocks::Block& own = blocks_->blocks()[block];
     const std::uint8_t* places = blocks_->places(own, swapped);
-    auto levels = std::make_unique<Levels[]>(paddedCount(own));
+    auto levels = std::make_unique<DarkLevels[]>(paddedCount(own));
     for (std::uint32_t i = 0; i < own.count; ++i) levels[i] = of[places[i]];
     return levels;
 }
@@ -56,48 +55,33 @@ CrownMarks::Part CrownMarks::of(std::size_t bin, std::size_t part) const {
 }
 
 CrownRunCount::CrownRunCount(const CrownSweep& sweep, std::span<const TimedStep> steps,
-                             std::span<const std::uint8_t> inLeaf) {
-    for (std::size_t bin = 0, levels = 0; bin <= sweep.bins(); ++bin) {
-        firstOfBin_.push_back(std::uint32_t(levels));
-        if (bin < sweep.bins()) levels += sweep.levels(bin).count;
+                             std::span<const std::uint8_t> inLeaf)
+    : sweep_(sweep) {
+    for (std::size_t bin = 0; bin < sweep.bins(); ++bin) {
+        firstOfBin_.push_back(std::uint32_t(binOfSpan_.size()));
+        binOfSpan_.insert(binOfSpan_.end(), sweep.levels(bin).spans(), std::uint32_t(bin));
     }
+    firstOfBin_.push_back(std::uint32_t(binOfSpan_.size()));
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const StepPlace& place = steps[i].place;
-        const std::uint32_t level = firstOfBin_[place.bin] + sweep.levels(place.bin).levelOf(place.sun);
-        (inLeaf[i] != 0 ? leafy_ : bare_).push_back({level, place.sun, steps[i].startsRun});
+        const std::uint32_t span = firstOfBin_[place.bin] + sweep.levels(place.bin).spanOf(place.sun);
+        (inLeaf[i] != 0 ? leafy_ : bare_).push_back({span, place.sun, steps[i].startsRun});
     }
 }
 
 namespace {
 
-unsigned uniteHalves(const CrownMarks::Levels* const* halves) {
-    unsigned any = 0;
-    for (std::size_t i = 0; i < 2; ++i)
-        for (std::size_t k = 0; k < halfPart && halves[i] != nullptr; ++k) any |= halves[i][k];
-    return any;
-}
+struct PartMarks {
+    alignas(64) DarkLevels dark[lanesPerPart] = {};
+    DarkLevels any = 0;
+};
 
-// Where crowns shade, every sun of the level is hidden.
-void hideLevel(const RunLanes& horizon, const CrownMarks::Levels* const* halves, unsigned level,
-               RunLanes& lanes) {
+PartMarks joinHalves(const DarkLevels* const* halves) {
+    PartMarks marks;
     for (std::size_t i = 0; i < 2; ++i)
-        for (std::size_t k = 0; k < halfPart; ++k) {
-            const bool isShaded = halves[i] != nullptr && (halves[i][k] >> level & 1U) != 0;
-            lanes.values[i * halfPart + k] =
-                isShaded ? std::numeric_limits<std::int16_t>::max() : horizon.values[i * halfPart + k];
-        }
-}
-
-// The lanes of a bin's levels, those of its horizon where no crown shades.
-void setLanes(const RunLanes& horizon, const CrownMarks::Levels* const* halves, std::size_t levels,
-              std::vector<RunLanes>& made, const std::int16_t** lanes) {
-    std::fill_n(lanes, levels, horizon.values);
-    for (unsigned bits = uniteHalves(halves); bits != 0; bits &= bits - 1) {
-        const auto level = unsigned(std::countr_zero(bits));
-        made.emplace_back();
-        hideLevel(horizon, halves, level, made.back());
-        lanes[level] = made.back().values;
-    }
+        for (std::size_t k = 0; k < halfPart && halves[i] != nullptr; ++k)
+            marks.any |= marks.dark[i * halfPart + k] = halves[i][k];
+    return marks;
 }
 
 RunLanes maxOf(const RunLanes& a, const RunLanes& b) {
@@ -115,35 +99,98 @@ RunLanes keepDecidedRuns(const RunLanes& withTrees, const RunLanes& plain, const
     return joined;
 }
 
+const DarkSpan& hidesNothingAbove() {
+    static const DarkSpan none = [] {
+        DarkSpan span;
+        std::ranges::fill(span.below, std::numeric_limits<HorizonCode>::min());
+        std::ranges::fill(span.above, std::numeric_limits<HorizonCode>::max());
+        return span;
+    }();
+    return none;
+}
+
+// The longest run of one lane of which overhangs hide `gaps`, by bin.
+std::int16_t walkLane(const std::vector<SpanLanes>& spans, std::span<const SpanStep> steps, std::size_t lane,
+                      const GapsByBin& gaps, std::span<const std::uint32_t> binOfSpan) {
+    int run = 0, longest = 0;
+    for (const SpanStep& step : steps) {
+        const SpanLanes& of = spans[step.span];
+        const bool isHidden = of.below[lane] > step.sun || step.sun > of.above[lane] ||
+                              isInGap(gaps[binOfSpan[step.span]], step.sun);
+        run = !isHidden ? 0 : step.startsRun ? 1 : run + 1;
+        longest = std::max(longest, run);
+    }
+    return std::int16_t(longest);
+}
+
 }  // namespace
+
+// Those of a bin's horizon where no crown shades a span.
+void CrownRunCount::addLanes(std::size_t bin, const RunLanes& horizon, const DarkLevels* const* halves,
+                             Memory& memory, std::vector<SpanLanes>& to) const {
+    const CrownLevels& levels = sweep_.levels(bin);
+    PartMarks marks = joinHalves(halves);
+    for (std::size_t span = 0; span < levels.spans(); ++span) {
+        SpanLanes& lanes = to[firstOfBin_[bin] + span];
+        lanes = {horizon.values, hidesNothingAbove().above};
+        const DarkLevels beside = 3U << span >> 1U;
+        if ((marks.any & beside & levels.all()) == 0) continue;
+        memory.made.emplace_back();
+        makeDarkSpan(levels, span, horizon.values, marks.dark, memory.made.back());
+        lanes = {memory.made.back().below, memory.made.back().above};
+    }
+}
 
 // False: no crown shades any of the part.
 bool CrownRunCount::findLanes(std::span<const RunLanes> horizons, const CrownMarks& marks, std::size_t part,
                               Memory& memory) const {
-    const std::size_t all = firstOfBin_.back();
     memory.made.clear();
-    memory.made.reserve(2 * all);  // so that none moves
-    memory.inLeaf.resize(all);
-    memory.bare.resize(all);
+    memory.made.reserve(2 * binOfSpan_.size());  // so that none moves
+    memory.inLeaf.resize(binOfSpan_.size());
+    memory.bare.resize(binOfSpan_.size());
     for (std::size_t bin = 0; bin < horizons.size(); ++bin) {
         const CrownMarks::Part own = marks.of(bin, part);
-        const std::size_t first = firstOfBin_[bin], levels = firstOfBin_[bin + 1] - first;
-        setLanes(horizons[bin], own.inLeaf, levels, memory.made, memory.inLeaf.data() + first);
-        setLanes(horizons[bin], own.bare, levels, memory.made, memory.bare.data() + first);
+        addLanes(bin, horizons[bin], own.inLeaf, memory, memory.inLeaf);
+        addLanes(bin, horizons[bin], own.bare, memory, memory.bare);
     }
     return !memory.made.empty();
 }
 
-CrownRunCount::Runs CrownRunCount::of(std::span<const RunLanes> horizons, const CrownMarks& marks,
-                                      std::size_t part, const RunLanes& plain, const RunLanes& decided,
-                                      Memory& memory) const {
-    if (!findLanes(horizons, marks, part, memory)) return {decided, decided};
+CrownRunCount::Runs CrownRunCount::walk(const Memory& memory) const {
     RunLanes leafy, evergreen, bare;
-    walkLevels(memory.inLeaf, leafy_, leafy);
-    walkLevels(memory.inLeaf, bare_, evergreen);
-    walkLevels(memory.bare, bare_, bare);
-    return {keepDecidedRuns(maxOf(leafy, evergreen), plain, decided),
-            keepDecidedRuns(maxOf(leafy, bare), plain, decided)};
+    walkSpans(memory.inLeaf, leafy_, leafy);
+    walkSpans(memory.inLeaf, bare_, evergreen);
+    walkSpans(memory.bare, bare_, bare);
+    return {maxOf(leafy, evergreen), maxOf(leafy, bare)};
+}
+
+// Filling the space below the gaps can only lengthen runs, as in RunCount.
+void CrownRunCount::walkBelowOverhangs(const RunMemory& plain, const CrownMarks& marks, std::size_t part,
+                                       Memory& memory, Runs& runs) const {
+    findLanes(plain.filled, marks, part, memory);
+    const Runs maximum = walk(memory);
+    findLanes(plain.lanes, marks, part, memory);
+    forEachLane(plain.overhangs, [&](std::size_t lane, std::span<const OverhangGap> own) {
+        const bool isEvergreen = maximum.evergreen.values[lane] > runs.evergreen.values[lane],
+                   isSeasonal = maximum.seasonal.values[lane] > runs.seasonal.values[lane];
+        if (!isEvergreen && !isSeasonal) return;
+        const GapsByBin gaps = listByBin(own, plain.lanes.size());
+        const auto longest = [&](const std::vector<SpanLanes>& spans, const std::vector<SpanStep>& steps) {
+            return walkLane(spans, steps, lane, gaps, binOfSpan_);
+        };
+        const std::int16_t leafy = longest(memory.inLeaf, leafy_);
+        if (isEvergreen) runs.evergreen.values[lane] = std::max(leafy, longest(memory.inLeaf, bare_));
+        if (isSeasonal) runs.seasonal.values[lane] = std::max(leafy, longest(memory.bare, bare_));
+    });
+}
+
+CrownRunCount::Runs CrownRunCount::of(const RunMemory& plain, const CrownMarks& marks, std::size_t part,
+                                      const RunLanes& decided, Memory& memory) const {
+    if (!findLanes(plain.lanes, marks, part, memory)) return {decided, decided};
+    Runs runs = walk(memory);
+    if (!plain.overhangs.empty()) walkBelowOverhangs(plain, marks, part, memory, runs);
+    return {keepDecidedRuns(runs.evergreen, plain.undecided, decided),
+            keepDecidedRuns(runs.seasonal, plain.undecided, decided)};
 }
 
 }  // namespace noonmark

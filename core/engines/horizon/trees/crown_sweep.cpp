@@ -41,6 +41,7 @@ void addLevel(std::span<const LeafySun> suns, CrownLevels& levels) {
     levels.tan[i] = float(std::tan(angle));
     levels.perTan[i] = float(1 / std::tan(angle));
     levels.secant[i] = float(1 / std::cos(angle));
+    levels.meanCode[i] = toSunCode(std::tan(angle));
     setWeights(suns, i, levels);
 }
 
@@ -276,8 +277,8 @@ void CrownBatch::computeShares(const Wanted& wanted) {
 
 void CrownBatch::mark(std::size_t bin, std::size_t blockIndex, bool swapped, CrownMarks& marks) const {
     CrownMarks::Block block;
-    block.anyInLeaf = markShaded(*view_.levels, shares_, float(TreeShade::defaultShadedFrom), block.inLeaf,
-                                 block.bare, block.anyBare);
+    block.anyInLeaf = findDark(*view_.levels, shares_, computed_.data(), float(TreeShade::defaultShadedFrom),
+                               block.inLeaf, block.bare, block.anyBare);
     if (block.anyInLeaf || block.anyBare) marks.set(bin, blockIndex, swapped, block);
 }
 

@@ -2,7 +2,8 @@
 
 // The folder core/engines/horizon/trees weighs crowns within the horizon sweep. In this file, CrownSweep has
 // the crowns and the suns of each bin in levels of altitude, CrownBatch adds the crowns before each block,
-// and addCrownToBlock(), findVisibleLevels(), weighBlock() and markShaded() are the inner loops. crown_runs.h
+// and addCrownToBlock(), findVisibleLevels(), weighBlock(), findDark() and makeDarkSpan() are the inner
+// loops. crown_runs.h
 // counts longest runs.
 
 #include <array>
@@ -14,6 +15,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/engines/api/step_sets.h"
 #include "core/engines/horizon/geometry/azimuth_bins.h"
 #include "core/engines/horizon/geometry/horizon_code.h"
@@ -34,15 +36,24 @@ struct CrownLevels {
     alignas(64) float perCode[maximum] = {};    ///< 1 / (belowCode - code of its lowest sun)
     alignas(64) float inLeaf[maximum] = {}, bare[maximum] =
                                                 {};  ///< numbers of suns in and out of the leaf season
+    HorizonCode meanCode[maximum] = {};              ///< of the mean altitude
     std::uint16_t weighed = 0;                       ///< levels that have suns, as bits
     [[nodiscard]] std::uint16_t all() const { return std::uint16_t((1U << count) - 1); }
-    /// The level of one of its suns.
-    [[nodiscard]] std::uint32_t levelOf(HorizonCode sun) const {
-        std::uint32_t level = 0;
-        while (level + 1 < count && float(sun) >= belowCode[level]) ++level;
-        return level;
+    /// Longest runs look at crowns between the means of two levels: below the lowest, between the first two,
+    /// ..., above the highest.
+    [[nodiscard]] std::size_t spans() const { return count + 1; }
+    [[nodiscard]] std::uint32_t spanOf(HorizonCode sun) const {
+        std::uint32_t span = 0;
+        while (span < count && sun >= meanCode[span]) ++span;
+        return span;
     }
 };
+
+/// Where crowns take a share of the sun or more from one cell, at one azimuth: bit i, at the mean of level i.
+/// From bit 16 on, of each of the first four changes between a level and the next, in sixteenths of the way
+/// between their means, where the share is reached; of further ones in the middle.
+using DarkLevels = std::uint32_t;
+inline constexpr unsigned firstChangeBit = 16, bitsOfChange = 4;
 
 /// The suns of one bin and one set of steps (StepSets) in the levels of their group.
 struct CrownLevelsOfSet {
@@ -93,10 +104,23 @@ void findVisibleLevels(const CrownLevels& levels, const HorizonCode* codes,
 void weighBlock(const CrownLevels& levels, const CrownDepths& shares, const HorizonCode* codes,
                 float fractions, std::int32_t* evergreen, std::int32_t* seasonal);
 
-/// Sets for each cell of a block, 16 a row, the levels at which crowns take `share` of the sun or more, as
-/// bits; true if there are some. The levels of `bare` are those that have suns out of season.
-bool markShaded(const CrownLevels& levels, const CrownDepths& shares, float share, std::uint16_t* inLeaf,
-                std::uint16_t* bare, bool& anyBare);
+/// Finds for each cell of a block, 16 a row, where crowns take `share` of the sun or more; true if they do
+/// somewhere. Shares between levels are those of a straight line. `computed`: the levels of each row whose
+/// shares are known, as bits; the others count as the nearest that is. `bare`: at levels with suns out of
+/// season alone.
+bool findDark(const CrownLevels& levels, const CrownDepths& shares, const std::uint16_t* computed,
+              float share, DarkLevels* inLeaf, DarkLevels* bare, bool& anyBare);
+
+/// The codes of 64 suns or horizons.
+inline constexpr std::size_t lanesOfDark = 64;
+/// Where suns are hidden within a span: those below `below`, and those above `above`.
+struct DarkSpan {
+    alignas(64) HorizonCode below[lanesOfDark], above[lanesOfDark];
+};
+/// What horizons and crowns hide of a span (CrownLevels::spans()). `dark`: of the 64 cells; the changes of a
+/// span are taken off it, so that spans are asked for in ascending order.
+void makeDarkSpan(const CrownLevels& levels, std::size_t span, const HorizonCode* horizons, DarkLevels* dark,
+                  DarkSpan& made);
 
 /// Steps of each set taken by crowns from each cell of a tile's blocks, in fractions of a step, so that sums
 /// are the same in whatever order they are made. For one thread.
@@ -138,7 +162,9 @@ public:
     static_assert(maxLevels <= CrownLevels::maximum);
     /// A group's width, from its first sun to its last, unless a bin is wider. Longest runs begin and end at
     /// the azimuth of their group.
-    static constexpr double widestGroupDeg = 2, widestGroupOfRunsDeg = 0.5;
+    static constexpr double widestGroup(ShadowCounts counts) {
+        return counts == ShadowCounts::grossAndRuns ? 0.5 : 2;  // deg
+    }
 
     /// `scene`, `binned` and `sets` are of the same steps; `datumM`: local z from which heights count.
     CrownSweep(const CrownScene& scene, const BinnedSun& binned, const StepSets& sets, const Grid& grid,
@@ -266,10 +292,10 @@ private:
 /// What crowns take of the sun that buildings leave, in one sweep for all sets. `crowns`: with one; of the
 /// same receivers and steps. Costs as a sweep of gross shadow with trees
 /// (core/engines/horizon/horizon_sweep.cpp), and some half of it more for months. Where trees have leaf days
-/// of their own, a sweep for each phase (LeafPhases).
+/// of their own, a sweep for each phase (LeafPhases). `counts`: whether longest runs are counted, too.
 Result<TakenBySet> sweepCrowns(const City& city, const CrownScene& crowns, const Receivers& receivers,
                                const SunSteps& sun, const StepSets& sets, Progress& progress,
-                               const std::stop_token& stop);
+                               const std::stop_token& stop, ShadowCounts counts = ShadowCounts::gross);
 
 /// Whether rays weigh crowns sooner than a sweep for sets of these steps: whatever the receivers, since those
 /// of a tile are measured as those of the whole.

@@ -5,6 +5,7 @@
 #include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <unordered_map>
 
 #include "core/base/csv_text.h"
@@ -21,26 +22,44 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::array shadowNames{"baseline", "scenario", "incremental", "gained"};
-constexpr const char* areaHours = "area_hours_m2h";
-constexpr std::array shadowFields{"enters",     "exits",   "duration_min",    "largest_m2",
-                                  "largest_at", areaHours, "longest_stay_min"};
-constexpr std::array dayFields{"sunlit_min", "theoretical_m2h", "full_cover_min", "all_sun_taken_min"};
+constexpr std::array shadowFields{"enters",     "exits",          "duration_min",    "largest_m2",
+                                  "largest_at", "area_hours_m2h", "longest_stay_min"};
+constexpr std::array dayFields{"sunlit_min", "theoretical_m2h"},
+    coverFields{"full_cover_min", "all_sun_taken_min"};
 
-// Of each kind of shadow. Areas x hours with trees follow those without.
-std::vector<std::string> listShadowFields(TreeColumns trees) {
-    std::vector<std::string> fields(shadowFields.begin(), shadowFields.end());
+/// A field of a day or of a kind of shadow, and the ending of its key with trees.
+struct TimelineField {
+    std::string key, trees;
+    [[nodiscard]] std::string name() const { return key + trees; }
+};
+
+// Without trees, and then with those that reach places.
+std::vector<TimelineField> withTrees(std::span<const char* const> keys, TreeColumns trees) {
+    std::vector<std::string> endings{""};
     for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
-        if (isAmong(trees, column)) fields.push_back(areaHours + suffixOf(column));
+        if (isAmong(trees, column)) endings.push_back(suffixOf(column));
+    std::vector<TimelineField> fields;
+    for (const std::string& ending : endings)
+        for (const char* key : keys) fields.push_back({key, ending});
     return fields;
 }
 
-std::vector<std::string> listColumns(const std::vector<std::string>& ofShadow) {
-    std::vector<std::string> columns{"place", "kind", "source", "day", "area_m2"};
-    columns.insert(columns.end(), dayFields.begin(), dayFields.end());
-    for (const char* shadow : shadowNames)
-        for (const std::string& name : ofShadow) columns.push_back(fmt::format("{}_{}", shadow, name));
-    return columns;
-}
+/// The columns of the table.
+struct TimelineTable {
+    explicit TimelineTable(TreeColumns trees)
+        : ofCover(withTrees(coverFields, trees)), ofShadow(withTrees(shadowFields, trees)) {}
+    std::vector<TimelineField> ofCover, ofShadow;
+
+    [[nodiscard]] std::vector<std::string> columns() const {
+        std::vector<std::string> names{"place", "kind", "source", "day", "area_m2"};
+        names.insert(names.end(), dayFields.begin(), dayFields.end());
+        for (const TimelineField& field : ofCover) names.push_back(field.name());
+        for (const char* shadow : shadowNames)
+            for (const TimelineField& field : ofShadow)
+                names.push_back(fmt::format("{}_{}", shadow, field.name()));
+        return names;
+    }
+};
 
 void addField(CsvText& csv, const Json& of, const std::string& name) {
     const auto found = of.find(name);
@@ -51,26 +70,27 @@ void addField(CsvText& csv, const Json& of, const std::string& name) {
 }
 
 // That with trees is that without them where no tree reaches the place.
-void addShadowField(CsvText& csv, const Json& shadow, const std::string& name) {
-    const bool isKnown = shadow.contains(name) || !name.starts_with(areaHours);
-    addField(csv, shadow, isKnown ? name : areaHours);
+void addFields(CsvText& csv, const Json& of, const std::vector<TimelineField>& fields, bool hasTrees) {
+    for (const TimelineField& field : fields) addField(csv, of, hasTrees ? field.name() : field.key);
 }
 
-void addDay(CsvText& csv, const Json& place, const Json& day, const std::vector<std::string>& ofShadow) {
+void addDay(CsvText& csv, const Json& place, const Json& day, const TimelineTable& table) {
+    const bool hasTrees = place.contains("trees_used");
     for (const char* name : {"place", "kind", "source"}) addField(csv, place, name);
     addField(csv, day, "day");
     addField(csv, place, "area_m2");
     for (const char* name : dayFields) addField(csv, day, name);
+    addFields(csv, day, table.ofCover, hasTrees);
     for (const char* shadow : shadowNames) {
         const bool stated = shadow == shadowNames.front() || !place.at("to").is_null();
-        for (const std::string& name : ofShadow) addShadowField(csv, stated ? day.at(shadow) : Json(), name);
+        addFields(csv, stated ? day.at(shadow) : Json::object(), table.ofShadow, hasTrees);
     }
     csv.endRow();
 }
 
-void addDays(CsvText& csv, const Json& place, const std::vector<std::string>& ofShadow) {
-    if (!place.contains("days")) return addDay(csv, place, place, ofShadow);
-    for (const Json& day : place.at("days")) addDay(csv, place, day, ofShadow);
+void addDays(CsvText& csv, const Json& place, const TimelineTable& table) {
+    if (!place.contains("days")) return addDay(csv, place, place, table);
+    for (const Json& day : place.at("days")) addDay(csv, place, day, table);
 }
 
 /// A file that is complete, or not there.
@@ -101,8 +121,8 @@ public:
     TimelineMerge(const fs::path& merged, TreeColumns trees)
         : lines_(merged / "timelines.jsonl"),
           table_(merged / "timelines.csv"),
-          ofShadow_(listShadowFields(trees)),
-          csv_(listColumns(ofShadow_)) {
+          columns_(trees),
+          csv_(columns_.columns()) {
         table_.add(csv_.take());
     }
 
@@ -134,12 +154,12 @@ private:
         if (firstDistrict_.emplace(std::move(feature), district).first->second != district) return;
         ++places_;
         lines_.add(line + '\n');
-        addDays(csv_, place, ofShadow_);
+        addDays(csv_, place, columns_);
         table_.add(csv_.take());
     }
 
     GrowingFile lines_, table_;
-    std::vector<std::string> ofShadow_;
+    TimelineTable columns_;
     CsvText csv_;
     std::unordered_map<std::string, std::size_t>
         firstDistrict_;  ///< by the feature that a place was read from
