@@ -83,7 +83,7 @@ TEST(SavedAnswers, AStudyComesBackWithItsFiguresAndOrigin) {
     EXPECT_EQ(saved.origin.at, "2026-03-04T05:06:07Z");
     EXPECT_EQ(saved.origin.engine, study.field.engine);
     EXPECT_EQ(saved.origin.region, "Square");
-    EXPECT_EQ(saved.origin.period, formatText(question().period));
+    EXPECT_EQ(saved.origin.period, statePeriod(question().period));
     const auto& back = std::any_cast<const SavedStudy&>(saved.content);
     EXPECT_TRUE(same(back.field.grossMin, study.field.grossMin));
     EXPECT_TRUE(same(back.field.continuousMin, study.field.continuousMin));

@@ -3,6 +3,7 @@
 #include <QAccessible>
 #include <QAction>
 #include <QDockWidget>
+#include <QFormLayout>
 #include <QGroupBox>
 #include <QLineEdit>
 #include <QMainWindow>
@@ -94,7 +95,13 @@ QScrollArea* scrolled(QWidget* content, int minWidth) {
     return scroll;
 }
 
+// A field that does not fit beside its label stands below it, so that no panel scrolls sideways.
+void wrapLongRows(const QWidget& content) {
+    for (auto* form : content.findChildren<QFormLayout*>()) form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+}
+
 QDockWidget* dockOf(const QString& title, const char* name, QWidget* content) {
+    wrapLongRows(*content);
     auto* dock = new QDockWidget(title);
     dock->setObjectName(QString::fromLatin1(name));  // the saved layout identifies docks by object name
     dock->setWidget(content);

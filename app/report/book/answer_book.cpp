@@ -182,8 +182,8 @@ City findCityBefore(const SavedImpact::Sides& sides, const City& after) {
     City before = after;
     std::erase_if(before.buildings, [&](const auto& building) {
         const Box2 box = bounds(*building);
-        const glm::dvec2 at = (glm::dvec2(box.low + box.high) / 2.0 - glm::dvec2(grid.westM, grid.southM)) /
-                              double(grid.cellM);
+        const glm::dvec2 at =
+            (glm::dvec2(box.low + box.high) / 2.0 - glm::dvec2(grid.westM, grid.southM)) / double(grid.cellM);
         if (at.x < 0 || at.y < 0 || at.x >= grid.columns || at.y >= grid.rows) return false;
         const std::size_t cell = grid.index(int(at.x), int(at.y));
         return std::isnan(sides.after.grossMin[cell]) && !std::isnan(sides.before.grossMin[cell]);
@@ -197,12 +197,34 @@ Legend makeSharedLegend(const ShadowField& before, const ShadowField& after, con
     return makeLegend(beforeIsDarker ? before : after, ShadowMeasure::gross, choice);
 }
 
+/// How high tables are that may stand below maps, points; 0: they are many or none.
+double heightBelowMaps(const std::vector<BookPage>& tables, const PageSetup& setup) {
+    constexpr double largestShare = 0.2;  // of the page
+    if (tables.size() != 1) return 0;
+    const QRectF all = contentArea(setup);
+    double height = 0;
+    for (const PageItem& item : tables.front().items)
+        height = std::max(height, item.area.bottom() - all.top());
+    return height < largestShare * all.height() ? height : 0;
+}
+
+/// On the last page, which has so much room for them, or on their own.
+void addTables(Book& book, std::vector<BookPage> tables, double belowPt) {
+    if (belowPt == 0) return appendPages(book, std::move(tables));
+    for (PageItem& item : tables.front().items) {
+        item.area.translate(0, contentArea(book.setup).height() - belowPt);
+        book.pages.back().items.push_back(std::move(item));
+    }
+}
+
+/// `belowPt`: left free at the bottom.
 BookPage sideBySide(const ComparedSide& before, const ComparedSide& after, const Region& region,
-                    const PageSetup& setup, const Legend& legend) {
+                    const PageSetup& setup, const Legend& legend, double belowPt) {
     const QString title = QStringLiteral("Scenarios side by side");
     BookPage page{title, QStringLiteral("%1 on one scale.").arg(legend.title), title, 0, {}};
-    const QRectF all = contentArea(setup);
     const double gap = 12 * textScale(setup);
+    QRectF all = contentArea(setup);
+    if (belowPt > 0) all.setHeight(all.height() - belowPt - gap);
     const QSizeF half = setup.landscape ? QSizeF((all.width() - gap) / 2, all.height())
                                         : QSizeF(all.width(), (all.height() - gap) / 2);
     const QPointF second = setup.landscape ? QPointF(all.left() + half.width() + gap, all.top())
@@ -213,20 +235,21 @@ BookPage sideBySide(const ComparedSide& before, const ComparedSide& after, const
 }
 
 BookPage sideBySide(const ImpactAnswer& answer, const AnswerSource& source, const PageSetup& setup,
-                    const LegendChoice& choice) {
+                    const LegendChoice& choice, double belowPt) {
     const ShadowField& before = fieldOfColumn(answer.study.before, choice.trees);
     const ShadowField& after = fieldOfColumn(answer.study.after, choice.trees);
     Legend legend = makeSharedLegend(before, after, choice);
     if (!answer.study.withTrees.empty()) nameTrees(legend, choice.trees);
     return sideBySide({findCityBefore(answer, source.city), before, answer.from},
-                      {source.city, after, answer.to}, answer.settings.study.region, setup, legend);
+                      {source.city, after, answer.to}, answer.settings.study.region, setup, legend, belowPt);
 }
 
-BookPage sideBySide(const SavedImpact& saved, const MapScene& scene, const BookSettings& settings) {
+BookPage sideBySide(const SavedImpact& saved, const MapScene& scene, const BookSettings& settings,
+                    double belowPt) {
     const SavedImpact::Sides& sides = *saved.sides;
     return sideBySide({findCityBefore(sides, scene.city), sides.before, saved.figures.from},
                       {scene.city, sides.after, saved.figures.to}, scene.region, settings.setup,
-                      makeSharedLegend(sides.before, sides.after, settings.legend));
+                      makeSharedLegend(sides.before, sides.after, settings.legend), belowPt);
 }
 
 QString titleOf(const Figure& figure) { return plainText(figure.label); }
@@ -371,8 +394,10 @@ Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, cons
                     const BookSettings& settings, const LegendChoice& legend) {
     const Sheet sheet = makeSheet(answer, source, scale, legend);
     Book book = beginAnswerBook(settings, sheet, answer.provenance.attribution);
-    book.pages.push_back(sideBySide(answer, source, settings.setup, legend));
-    appendPages(book, contributionPages(computeFigures(answer), settings, legend.show));
+    auto contributions = contributionPages(computeFigures(answer), settings, legend.show);
+    const double below = heightBelowMaps(contributions, settings.setup);
+    book.pages.push_back(sideBySide(answer, source, settings.setup, legend, below));
+    addTables(book, std::move(contributions), below);
     addHeightMap(book, source.city, answer.settings.study.region, settings);
     addText(book, sheet, withoutCommand(sheet),
             repeatBlocks(makeRepeatCommand(answer, bookCharacters), needsRegionFile(answer.provenance),
@@ -404,9 +429,11 @@ Book makeSavedBook(const SavedMapBook& saved, const BookSettings& settings) {
     addMaps(book, sheet);
     if (!saved.months.groups.empty()) book.pages.push_back(sunByMonthPage(saved.months, settings));
     if (saved.comparison) {
-        if (saved.comparison->sides)
-            book.pages.push_back(sideBySide(*saved.comparison, sheet.map.scene, settings));
-        appendPages(book, contributionPages(saved.comparison->figures, settings, settings.legend.show));
+        auto contributions = contributionPages(saved.comparison->figures, settings, settings.legend.show);
+        const bool hasSides = saved.comparison->sides.has_value();
+        const double below = hasSides ? heightBelowMaps(contributions, settings.setup) : 0;
+        if (hasSides) book.pages.push_back(sideBySide(*saved.comparison, sheet.map.scene, settings, below));
+        addTables(book, std::move(contributions), below);
     }
     if (saved.score) {
         if (!saved.score->months.empty())

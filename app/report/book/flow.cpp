@@ -339,18 +339,34 @@ std::vector<PageTable> flowTable(const PageTable& table, double firstPt, double 
     return tables;
 }
 
-std::vector<BookPage> makeTextPages(const PageSetup& setup, const BookPage& page, const TextBlocks& blocks) {
+namespace {
+
+std::vector<BookPage> layOutText(const PageSetup& setup, const BookPage& page, const TextBlocks& blocks,
+                                 double points) {
     const QRectF content = contentArea(setup);
     const double scale = textScale(setup), gutter = gutterPt * scale;
     const int columns = std::max(1, int((content.width() + gutter) / (minColumnPt * scale + gutter)));
     const double width = (content.width() - (columns - 1) * gutter) / columns;
-    const auto flowed = flowText(blocks, {width, content.height()}, textPt * scale);
+    const auto flowed = flowText(blocks, {width, content.height()}, points * scale);
     std::vector<BookPage> pages;
     for (std::size_t i = 0; i < flowed.size(); ++i) {
         if (i % std::size_t(columns) == 0) pages.push_back(i == 0 ? page : pageAfter(page));
         const QRectF area(content.left() + double(i % std::size_t(columns)) * (width + gutter), content.top(),
                           width, content.height());
-        pages.back().items.push_back({area, PageText{flowed[i], textPt * scale}});
+        pages.back().items.push_back({area, PageText{flowed[i], points * scale}});
+    }
+    return pages;
+}
+
+}  // namespace
+
+// A little smaller where that saves a last page of some lines.
+std::vector<BookPage> makeTextPages(const PageSetup& setup, const BookPage& page, const TextBlocks& blocks) {
+    std::vector<BookPage> pages = layOutText(setup, page, blocks, textPt);
+    for (const double smaller : {0.96, 0.92}) {
+        if (pages.size() < 2) break;
+        auto fewer = layOutText(setup, page, blocks, textPt * smaller);
+        if (fewer.size() < pages.size()) return fewer;
     }
     return pages;
 }

@@ -392,6 +392,46 @@ TEST(ContributionSheets, ListTreesWithTheBuildingsAndStateBothTimes) {
     EXPECT_EQ(evergreen.rows[0].name.toStdString(), "Tree lime") << "it takes more than the house";
 }
 
+TEST(ContributionSheets, BuildingsWithoutAReadableNameAreDescribed) {
+    for (const char* name : {"", "{0C3309A9-671F-4F25-8321-5EDF03882E91}", "2O2Fr$t4X7Zf8NOew3FLOH",
+                             "0c3309a9-671f-4f25-8321-5edf03882e91"})
+        EXPECT_FALSE(isReadableName(name)) << name;
+    for (const char* name : {"Tower 1", "432 Park Avenue", "Donaudampfschifffahrtsgesellschaft"})
+        EXPECT_TRUE(isReadableName(name)) << name;
+
+    Building hall{.sourceId = "{0C3309A9-671F-4F25-8321-5EDF03882E91}"};
+    hall.parts.emplace_back();
+    hall.parts[0].footprint.outer = {{100, -10}, {120, -10}, {120, 10}, {100, 10}};
+    hall.parts[0].topM = 23;
+    City city;
+    city.buildings.push_back(std::make_shared<const Building>(hall));
+    ContributionTable of{.place = "Yard", .cells = 10, .sunlitMinutesPerDay = 400};
+    of.rows.emplace_back();
+    of.rows[0].id = hall.sourceId;
+    of.rows[0].attributedMin = 60;
+    of.rows[0].share = 1;
+    const ContributionSheet sheet = makeContributionSheet(of, city, {.from = glm::dvec2(0, 0)});
+    EXPECT_EQ(sheet.rows[0].name.toStdString(), "23 m high, 110 m E");
+    EXPECT_THAT(sheet.headline.toStdString(), HasSubstr("a building 23 m high, 110 m E takes the most"));
+}
+
+TEST_F(ContributionsWindow, TheViewShowsWhoShadesThePlaceThatIsChosen) {
+    ask(false, false);
+    study();
+    CityView& view = window->panel().view();
+    window->panel().navigator().show({{-12, 28}, {-8, 32}});
+    choose("Yard");
+    ASSERT_FALSE(sheet().rows.empty());
+    ASSERT_TRUE(sheet().rows.front().building);
+    const Box2 box = bounds(*sheet().rows.front().building);
+    const glm::dvec2 middle = (glm::dvec2(box.low) + glm::dvec2(box.high)) * 0.5;
+    EXPECT_TRUE(waitFor([&] {
+        const auto pixel = pixelOf(view.pose(), view.lens(), glm::dvec3(middle, 0));
+        return pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x <= view.lens().widthPx &&
+               pixel->y <= view.lens().heightPx;
+    }));
+}
+
 TEST(ContributionClasses, EachShareHasTheColourOfItsClass) {
     EXPECT_EQ(classOf(0), 0U);
     EXPECT_EQ(classOf(0.01), 1U);

@@ -3,7 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCompleter>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -183,16 +183,19 @@ void ContributionsDock::makeTable() {
 
 QWidget* ContributionsDock::makeLegend() {
     auto* legend = new QWidget;
-    auto* cells = new QHBoxLayout(legend);
+    auto* cells = new QGridLayout(legend);  // in two lines, as narrow panels need it
     cells->setContentsMargins(0, 0, 0, 0);
     cells->setSpacing(3);
+    constexpr int classesInLine = 3;
     for (std::size_t i = 0; i < contributionClasses.size(); ++i) {
         QPixmap swatch(swatchPx, swatchPx);
         swatch.fill(toColour(contributionClasses[i].colour));
         auto* colour = new QLabel;
         colour->setPixmap(swatch);
-        cells->addWidget(colour);
-        cells->addWidget(new QLabel(describeClass(i)), 1);
+        const int line = int(i) / classesInLine, column = 2 * (int(i) % classesInLine);
+        cells->addWidget(colour, line, column);
+        cells->addWidget(new QLabel(describeClass(i)), line, column + 1);
+        cells->setColumnStretch(column + 1, 1);
     }
     legend->setToolTip(tr("Share of the shadow that a building is charged with"));
     return legend;

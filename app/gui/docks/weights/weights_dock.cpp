@@ -1,7 +1,7 @@
 #include "app/gui/docks/weights/weights_dock.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
@@ -61,7 +61,6 @@ WeightsDock::WeightsDock(ProjectSession& session, QWidget* parent)
     column->addWidget(refusal_);
     column->addWidget(note_);
     column->addWidget(makeButtons());
-    column->addWidget(makeTemplates());
     column->addWidget(score_);
     connect(tables_, &QComboBox::currentIndexChanged, this,
             [this] { choose(tables_->currentData().toString().toStdString()); });
@@ -133,9 +132,12 @@ QWidget* WeightsDock::makeButtons() {
         addTable(std::move(months));
     });
     auto* buttons = new QWidget;
-    auto* row = new QHBoxLayout(buttons);
-    row->setContentsMargins(0, 0, 0, 0);
-    for (QPushButton* button : {add, remove, table}) row->addWidget(button);
+    auto* grid = new QGridLayout(buttons);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->addWidget(add, 0, 0);
+    grid->addWidget(remove, 0, 1);
+    grid->addWidget(table, 1, 0);
+    grid->addWidget(makeTemplates(), 1, 1);
     return buttons;
 }
 

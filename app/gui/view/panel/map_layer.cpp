@@ -42,11 +42,6 @@ Box2 boxOf(const Grid& grid) {
     return box;
 }
 
-bool holds(const Box2& outer, const Box2& inner) {
-    return glm::all(glm::lessThanEqual(outer.low, inner.low)) &&
-           glm::all(glm::greaterThanEqual(outer.high, inner.high));
-}
-
 Box2 widen(Box2 box, glm::vec2 byM) {
     box.low -= byM;
     box.high += byM;
@@ -85,6 +80,11 @@ Box2 findCloseGround(const CameraPose& pose, const ViewLens& lens, const ViewBou
     seen.low = glm::max(seen.low, target - reachM);
     seen.high = glm::min(seen.high, target + reachM);
     return glm::any(glm::greaterThanEqual(seen.low, seen.high)) ? Box2{} : seen;
+}
+
+bool holds(const Box2& outer, const Box2& inner) {
+    return glm::all(glm::lessThanEqual(outer.low, inner.low)) &&
+           glm::all(glm::greaterThanEqual(outer.high, inner.high));
 }
 
 MapLayer::MapLayer(CityView& view, QObject* parent) : QObject(parent), view_(view) {

@@ -11,6 +11,9 @@
 
 namespace noonmark {
 
+/// Whether all of `inner` lies in `outer`.
+bool holds(const Box2& outer, const Box2& inner);
+
 class CityView;
 
 /// The city's map context on the ground of the view. All of it is painted in the background, once for each

@@ -34,11 +34,6 @@ QString describeShare(const ShadowField& field) {
     return QObject::tr("%1 % in shadow").arg(formatAmount(100 * share));
 }
 
-bool holds(const Box2& outer, const Box2& box) {
-    return glm::all(glm::lessThanEqual(outer.low, box.low)) &&
-           glm::all(glm::greaterThanEqual(outer.high, box.high));
-}
-
 }  // namespace
 
 TimeDisplay::TimeDisplay(Workbench& workbench, const ModeSwitch& mode, ViewPanel& panel,
