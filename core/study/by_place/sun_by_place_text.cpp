@@ -157,6 +157,14 @@ void addComparison(Json& json, const SunByPlace& sun, std::span<const ComparedSu
         json["definitions"].update(definitionsJson(changeFiguresWithTrees(with.column)));
 }
 
+// The dates stand in the figures of each place, and a loss counts against a baseline only.
+Json settingsJson(const SunByPlaceSettings& settings, bool isCompared) {
+    Json json = fieldsJson(sunByPlaceFields().of(settings));
+    json.erase("dates");
+    if (!isCompared) json.erase("loss_min");
+    return json;
+}
+
 constexpr std::array placeStatusList{
     Choice<PlaceStatus>{PlaceStatus::builtOver, "built_over", NM_TEXT("buildings stand on all of it")},
     Choice<PlaceStatus>{PlaceStatus::betweenCells, "between_cells",
@@ -286,7 +294,7 @@ std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared)
     Json json{{"program", std::string("Noonmark ") + std::string(version())},
               {"period", periodJson(study.period, sun.daylight, makeObserver(sun.city, study))},
               {"cell_m", study.receivers.cellM}};
-    json.update(fieldsJson(sunByPlaceFields().of(sun.settings)));
+    json.update(settingsJson(sun.settings, !compared.empty()));
     json["possible_hours"] = sun.possibleHours;
     json["engine"] = sun.field.engine;
     if (!sun.withTrees.empty()) json["engine_trees"] = sun.treesHow;

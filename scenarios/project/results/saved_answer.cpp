@@ -294,8 +294,7 @@ SunSteps daylightOf(const Json& json) {
     return sun;
 }
 
-// As the figures have them, which state a date once that was asked twice; answers of earlier versions state
-// them there alone.
+// The figures of each place have them.
 std::vector<CivilDate> datesOf(const Json& place) {
     std::vector<CivilDate> dates;
     const Json shares = place.value("share_below", Json::object());

@@ -243,7 +243,7 @@ TEST(PlaceContributions, KeptOnesComeBackFromTheJsonOfTheirAnswer) {
     const auto back = parseContributions(nlohmann::ordered_json::parse(withContributions("{}", all)));
     ASSERT_EQ(back.size(), 2U);
     EXPECT_EQ(back[1].place, "Yard");
-    EXPECT_EQ(back[1].period, formatText(study.settings.period));
+    EXPECT_EQ(back[1].period, statePeriod(study.settings.period));
     EXPECT_EQ(back[1].months, all[1].months);
     EXPECT_EQ(contributionsCsv(back, {}), contributionsCsv(all, {})) << "months and period, too";
     EXPECT_EQ(back[1].cells, all[1].cells);

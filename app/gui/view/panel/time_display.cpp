@@ -13,6 +13,7 @@
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/workbench.h"
+#include "app/gui/view/panel/map_layer.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/gui/view/panel/view_presets.h"
 #include "app/gui/view/time/time_strip.h"
