@@ -104,10 +104,6 @@
         <translation>Zuerst Prüfen drücken</translation>
     </message>
     <message>
-        <source>Check place and year</source>
-        <translation>Ort und Jahr prüfen</translation>
-    </message>
-    <message>
         <source>The sides of the lot cross each other</source>
         <translation>Die Seiten des Grundstücks kreuzen sich</translation>
     </message>
@@ -134,30 +130,6 @@
     <message>
         <source>Choose one from the list</source>
         <translation>Aus der Liste wählen</translation>
-    </message>
-    <message>
-        <source>The sides of the lot would cross or touch each other</source>
-        <translation>Die Seiten des Grundstücks würden sich kreuzen oder berühren</translation>
-    </message>
-    <message>
-        <source>Move the corner or side less far</source>
-        <translation>Die Ecke oder Seite weniger weit verschieben</translation>
-    </message>
-    <message>
-        <source>The sides beside it meet before that</source>
-        <translation>Die Seiten daneben treffen sich vorher</translation>
-    </message>
-    <message>
-        <source>Move the side less far</source>
-        <translation>Die Seite weniger weit verschieben</translation>
-    </message>
-    <message>
-        <source>A lot needs three corners or more</source>
-        <translation>Ein Grundstück braucht mindestens drei Ecken</translation>
-    </message>
-    <message>
-        <source>Move the corner instead</source>
-        <translation>Stattdessen die Ecke verschieben</translation>
     </message>
     <message>
         <source>No corner is selected</source>
@@ -240,16 +212,16 @@
         <translation>Rechnen Sie neu, damit die Tabelle die Orte zeigt, wie sie sind</translation>
     </message>
     <message>
-        <source>The proposal&apos;s shadow reaches no place in the rule&apos;s hours</source>
-        <translation>Der Schatten des Vorschlags erreicht in den Stunden der Regel keinen Ort</translation>
-    </message>
-    <message>
-        <source>Review all places to have that stated for each</source>
-        <translation>Prüfen Sie alle Orte, um das für jeden ausgewiesen zu bekommen</translation>
-    </message>
-    <message>
         <source>Tick the places to review, or press In reach to find those that the shadow reaches</source>
         <translation>Kreuzen Sie die zu prüfenden Orte an, oder drücken Sie „In Reichweite“, um die zu finden, die der Schatten erreicht</translation>
+    </message>
+    <message>
+        <source>It holds terrains only: open one by Open, or choose a folder of footprints, city models or meshes</source>
+        <translation>Er enthält nur Gelände: öffnen Sie eines mit Öffnen, oder wählen Sie einen Ordner mit Grundrissen, Stadtmodellen oder Netzen</translation>
+    </message>
+    <message>
+        <source>There is no result</source>
+        <translation>Es gibt kein Ergebnis</translation>
     </message>
 </context>
 <context>
@@ -1918,10 +1890,6 @@ Alle Seiten %2, Fläche %3</translation>
         <translation>%1. Veraltet: Gebäude haben sich geändert</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
         <source>%1 &gt; %2 min: %3</source>
         <translation>%1 &gt; %2 min: %3</translation>
     </message>
@@ -1965,10 +1933,6 @@ Alle Seiten %2, Fläche %3</translation>
         <source>%1: %2</source>
         <comment>a term and its definition</comment>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Building %1</source>
-        <translation>Gebäude %1</translation>
     </message>
     <message>
         <source>%1 min a day in shadow</source>
@@ -2251,10 +2215,6 @@ Die Untersuchung: %2</translation>
         <translation>Bemerkung</translation>
     </message>
     <message>
-        <source>%1: %2 compared with %3</source>
-        <translation>%1: %2 verglichen mit %3</translation>
-    </message>
-    <message>
         <source>%1 million rays a second</source>
         <translation>%1 Millionen Strahlen je Sekunde</translation>
     </message>
@@ -2529,6 +2489,24 @@ Opens the panel Review.</source>
     <message>
         <source>%1 against its empty lot</source>
         <translation>%1 gegenüber dem leeren Grundstück</translation>
+    </message>
+    <message>
+        <source>%1 high</source>
+        <translation>%1 hoch</translation>
+    </message>
+    <message>
+        <source>%1 high, %2 %3</source>
+        <comment>a building: its height, how far it is, in which direction</comment>
+        <translation>%1 hoch, %2 %3</translation>
+    </message>
+    <message>
+        <source>a building %1</source>
+        <comment>23 m high, 120 m NE</comment>
+        <translation>ein Gebäude, %1</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Polygon</translation>
     </message>
 </context>
 <context>
@@ -2818,10 +2796,6 @@ Opens the panel Review.</source>
     <message>
         <source>Switzerland</source>
         <translation>Schweiz</translation>
-    </message>
-    <message>
-        <source>Any country</source>
-        <translation>Jedes Land</translation>
     </message>
     <message>
         <source>Canada</source>
@@ -5715,6 +5689,90 @@ Opens the panel Review.</source>
         <source>Estimated or assumed of %1 trees: height of %2, crown of %3</source>
         <translation>Geschätzt oder angenommen bei %1 Bäumen: Höhe von %2, Krone von %3</translation>
     </message>
+    <message>
+        <source>%1: %2 compared with %3</source>
+        <translation>%1: %2 verglichen mit %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>The proposal&apos;s shadow reaches no place in the rule&apos;s hours</source>
+        <translation>Der Schatten des Vorschlags erreicht in den Stunden der Regel keinen Ort</translation>
+    </message>
+    <message>
+        <source>Review all places to have that stated for each</source>
+        <translation>Prüfen Sie alle Orte, um das für jeden ausgewiesen zu bekommen</translation>
+    </message>
+    <message>
+        <source>The sides of the lot would cross or touch each other</source>
+        <translation>Die Seiten des Grundstücks würden sich kreuzen oder berühren</translation>
+    </message>
+    <message>
+        <source>Move the corner or side less far</source>
+        <translation>Die Ecke oder Seite weniger weit verschieben</translation>
+    </message>
+    <message>
+        <source>The sides beside it meet before that</source>
+        <translation>Die Seiten daneben treffen sich vorher</translation>
+    </message>
+    <message>
+        <source>Move the side less far</source>
+        <translation>Die Seite weniger weit verschieben</translation>
+    </message>
+    <message>
+        <source>A lot needs three corners or more</source>
+        <translation>Ein Grundstück braucht mindestens drei Ecken</translation>
+    </message>
+    <message>
+        <source>Move the corner instead</source>
+        <translation>Stattdessen die Ecke verschieben</translation>
+    </message>
+    <message>
+        <source>hot all year</source>
+        <translation>ganzjährig heiß</translation>
+    </message>
+    <message>
+        <source>hot months</source>
+        <translation>heiße Monate</translation>
+    </message>
+    <message>
+        <source>before the hot months</source>
+        <translation>vor den heißen Monaten</translation>
+    </message>
+    <message>
+        <source>after the hot months</source>
+        <translation>nach den heißen Monaten</translation>
+    </message>
+    <message>
+        <source>winter</source>
+        <translation>Winter</translation>
+    </message>
+    <message>
+        <source>early spring</source>
+        <translation>Vorfrühling</translation>
+    </message>
+    <message>
+        <source>hot month</source>
+        <translation>heißer Monat</translation>
+    </message>
+    <message>
+        <source>growing season</source>
+        <translation>Wachstumszeit</translation>
+    </message>
+    <message>
+        <source>pedestrian comfort</source>
+        <translation>Behaglichkeit zu Fuß</translation>
+    </message>
+    <message>
+        <source>plants</source>
+        <translation>Pflanzen</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>Vorgabe</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5805,6 +5863,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Painting the page</source>
         <translation>Die Seite wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Sheets that are to be written are shown here</source>
+        <translation>Hier stehen die Blätter, die geschrieben werden</translation>
     </message>
 </context>
 <context>
@@ -6072,6 +6134,41 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Building or tree</source>
         <translation>Gebäude oder Baum</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Contributions</name>
+    <message>
+        <source>E</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>NE</source>
+        <translation>NO</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>NW</source>
+        <translation>NW</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>W</translation>
+    </message>
+    <message>
+        <source>SW</source>
+        <translation>SW</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>SO</translation>
     </message>
 </context>
 <context>
@@ -8924,6 +9021,13 @@ Vertikaler Himmelslichtanteil mit Bäumen: %1 % und %2 %</translation>
             <numerusform>und %1 weitere Bäume</numerusform>
         </translation>
     </message>
+    <message>
+        <source>
+In the sun on %1, %2: %3</source>
+        <comment>a day, trees as evergreens, times</comment>
+        <translation>
+In der Sonne am %1, %2: %3</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PointInspector</name>
@@ -9142,12 +9246,12 @@ Vertikaler Himmelslichtanteil mit Bäumen: %1 % und %2 %</translation>
         <translation>Nur wenn keine Datei mit dem Programm geöffnet wird. Hilfe &gt; Startseite zeigt sie jederzeit</translation>
     </message>
     <message>
-        <source>Of menus, panels and numbers; applies at once. Files, sheets and error messages stay English</source>
-        <translation>Von Menüs, Feldern und Zahlen; gilt sofort. Dateien, Blätter und Fehlermeldungen bleiben englisch</translation>
-    </message>
-    <message>
         <source>In which areas, lengths and heights are shown and lengths are typed; applies at once</source>
         <translation>Worin Flächen, Längen und Höhen gezeigt und Längen eingegeben werden; gilt sofort</translation>
+    </message>
+    <message>
+        <source>Of menus, panels and numbers; applies at once. Files and sheets stay English, and so do errors and warnings that hold a number or a name</source>
+        <translation>Von Menüs, Bereichen und Zahlen; gilt sofort. Dateien und Blätter bleiben englisch, ebenso Fehler und Warnungen, die eine Zahl oder einen Namen enthalten</translation>
     </message>
 </context>
 <context>
@@ -9161,8 +9265,8 @@ Vertikaler Himmelslichtanteil mit Bäumen: %1 % und %2 %</translation>
         <translation>Diese Berechnung abbrechen; das vorige Ergebnis bleibt</translation>
     </message>
     <message>
-        <source>%1: starting</source>
-        <translation>%1: beginnt</translation>
+        <source>starting</source>
+        <translation>beginnt</translation>
     </message>
 </context>
 <context>
@@ -10431,12 +10535,12 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>&amp;Suchen</translation>
     </message>
     <message>
-        <source>A building by name or id, a street, a place, a lot or a position</source>
-        <translation>Ein Gebäude nach Name oder Id, eine Straße, ein Ort, ein Grundstück oder eine Position</translation>
+        <source>A building by name or id, a street, a place, a lot, a position or a command</source>
+        <translation>Ein Gebäude nach Name oder Kennung, eine Straße, einen Ort, ein Grundstück, eine Position oder einen Befehl</translation>
     </message>
     <message>
-        <source>Nothing is called &quot;%1&quot;. Buildings without a name are found by their id.</source>
-        <translation>Nichts heißt „%1“. Gebäude ohne Namen findet man an ihrer Id.</translation>
+        <source>Nothing is called &quot;%1&quot;, and no command that can be used now. Buildings without a name are found by their id.</source>
+        <translation>Nichts heißt „%1“, auch kein Befehl, der jetzt möglich ist. Gebäude ohne Namen findet man nach ihrer Kennung.</translation>
     </message>
 </context>
 <context>
@@ -10446,8 +10550,8 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Suchen (Strg+F)</translation>
     </message>
     <message>
-        <source>A building by name or id, a street, a place, a lot, or a position such as 40.7536, -73.9832</source>
-        <translation>Ein Gebäude nach Name oder Id, eine Straße, ein Ort, ein Grundstück oder eine Position wie 40.7536, -73.9832</translation>
+        <source>A building by name or id, a street, a place, a lot, a position such as 40.7536, -73.9832, or a command</source>
+        <translation>Ein Gebäude nach Name oder Kennung, eine Straße, ein Ort, ein Grundstück, eine Position wie 40.7536, -73.9832 oder ein Befehl</translation>
     </message>
 </context>
 <context>
@@ -11178,8 +11282,8 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Zeitraum</translation>
     </message>
     <message>
-        <source>It is night there now, so this is noon: %1</source>
-        <translation>Dort ist jetzt Nacht, daher ist dies Mittag: %1</translation>
+        <source>The sun is down or low there now, so this is noon: %1</source>
+        <translation>Die Sonne steht dort jetzt tief oder ist untergegangen, darum ist dies Mittag: %1</translation>
     </message>
 </context>
 <context>
@@ -12678,6 +12782,26 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>First day without leaves</source>
         <translation>Erster Tag ohne Laub</translation>
+    </message>
+    <message>
+        <source>the whole city</source>
+        <translation>die ganze Stadt</translation>
+    </message>
+    <message>
+        <source>the middle of the city</source>
+        <translation>die Mitte der Stadt</translation>
+    </message>
+    <message>
+        <source>around the building</source>
+        <translation>um das Gebäude</translation>
+    </message>
+    <message>
+        <source>around %1</source>
+        <translation>um %1</translation>
+    </message>
+    <message>
+        <source>Any country</source>
+        <translation>Jedes Land</translation>
     </message>
 </context>
 </TS>

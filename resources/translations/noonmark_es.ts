@@ -104,10 +104,6 @@
         <translation>Pulse antes Evaluar</translation>
     </message>
     <message>
-        <source>Check place and year</source>
-        <translation>Compruebe el lugar y el año</translation>
-    </message>
-    <message>
         <source>The sides of the lot cross each other</source>
         <translation>Los lados de la parcela se cruzan</translation>
     </message>
@@ -134,30 +130,6 @@
     <message>
         <source>Choose one from the list</source>
         <translation>Elija uno de la lista</translation>
-    </message>
-    <message>
-        <source>The sides of the lot would cross or touch each other</source>
-        <translation>Los lados de la parcela se cruzarían o se tocarían</translation>
-    </message>
-    <message>
-        <source>Move the corner or side less far</source>
-        <translation>Mueva menos la esquina o el lado</translation>
-    </message>
-    <message>
-        <source>The sides beside it meet before that</source>
-        <translation>Los lados contiguos se encuentran antes</translation>
-    </message>
-    <message>
-        <source>Move the side less far</source>
-        <translation>Mueva menos el lado</translation>
-    </message>
-    <message>
-        <source>A lot needs three corners or more</source>
-        <translation>Una parcela necesita tres esquinas o más</translation>
-    </message>
-    <message>
-        <source>Move the corner instead</source>
-        <translation>Mueva la esquina en su lugar</translation>
     </message>
     <message>
         <source>No corner is selected</source>
@@ -240,16 +212,16 @@
         <translation>Vuelva a calcular para que la tabla muestre los lugares tal como son</translation>
     </message>
     <message>
-        <source>The proposal&apos;s shadow reaches no place in the rule&apos;s hours</source>
-        <translation>La sombra de la propuesta no alcanza ningún lugar en las horas de la norma</translation>
-    </message>
-    <message>
-        <source>Review all places to have that stated for each</source>
-        <translation>Aplique la norma a todos los lugares para que se indique en cada uno</translation>
-    </message>
-    <message>
         <source>Tick the places to review, or press In reach to find those that the shadow reaches</source>
         <translation>Marque los lugares que se revisan, o pulse «Al alcance» para hallar los que alcanza la sombra</translation>
+    </message>
+    <message>
+        <source>It holds terrains only: open one by Open, or choose a folder of footprints, city models or meshes</source>
+        <translation>Solo contiene terrenos: abra uno con Abrir, o elija una carpeta de huellas, modelos de ciudad o mallas</translation>
+    </message>
+    <message>
+        <source>There is no result</source>
+        <translation>No hay ningún resultado</translation>
     </message>
 </context>
 <context>
@@ -1918,10 +1890,6 @@ Todos los lados %2, área %3</translation>
         <translation>%1. Desactualizado: los edificios han cambiado</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
-    </message>
-    <message>
         <source>%1 &gt; %2 min: %3</source>
         <translation>%1 &gt; %2 min: %3</translation>
     </message>
@@ -1965,10 +1933,6 @@ Todos los lados %2, área %3</translation>
         <source>%1: %2</source>
         <comment>a term and its definition</comment>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Building %1</source>
-        <translation>Edificio %1</translation>
     </message>
     <message>
         <source>%1 min a day in shadow</source>
@@ -2251,10 +2215,6 @@ El estudio: %2</translation>
         <translation>Observación</translation>
     </message>
     <message>
-        <source>%1: %2 compared with %3</source>
-        <translation>%1: %2 comparado con %3</translation>
-    </message>
-    <message>
         <source>%1 million rays a second</source>
         <translation>%1 millones de rayos por segundo</translation>
     </message>
@@ -2529,6 +2489,24 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>%1 against its empty lot</source>
         <translation>%1 frente a su parcela vacía</translation>
+    </message>
+    <message>
+        <source>%1 high</source>
+        <translation>de %1 de altura</translation>
+    </message>
+    <message>
+        <source>%1 high, %2 %3</source>
+        <comment>a building: its height, how far it is, in which direction</comment>
+        <translation>de %1 de altura, %2 al %3</translation>
+    </message>
+    <message>
+        <source>a building %1</source>
+        <comment>23 m high, 120 m NE</comment>
+        <translation>un edificio %1</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Polígono</translation>
     </message>
 </context>
 <context>
@@ -2818,10 +2796,6 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>Switzerland</source>
         <translation>Suiza</translation>
-    </message>
-    <message>
-        <source>Any country</source>
-        <translation>Cualquier país</translation>
     </message>
     <message>
         <source>Canada</source>
@@ -5715,6 +5689,90 @@ Abre el panel Evaluación.</translation>
         <source>Estimated or assumed of %1 trees: height of %2, crown of %3</source>
         <translation>Estimado o supuesto en %1 árboles: altura de %2, copa de %3</translation>
     </message>
+    <message>
+        <source>%1: %2 compared with %3</source>
+        <translation>%1: %2 comparado con %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>The proposal&apos;s shadow reaches no place in the rule&apos;s hours</source>
+        <translation>La sombra de la propuesta no alcanza ningún lugar en las horas de la norma</translation>
+    </message>
+    <message>
+        <source>Review all places to have that stated for each</source>
+        <translation>Aplique la norma a todos los lugares para que se indique en cada uno</translation>
+    </message>
+    <message>
+        <source>The sides of the lot would cross or touch each other</source>
+        <translation>Los lados de la parcela se cruzarían o se tocarían</translation>
+    </message>
+    <message>
+        <source>Move the corner or side less far</source>
+        <translation>Mueva menos la esquina o el lado</translation>
+    </message>
+    <message>
+        <source>The sides beside it meet before that</source>
+        <translation>Los lados contiguos se encuentran antes</translation>
+    </message>
+    <message>
+        <source>Move the side less far</source>
+        <translation>Mueva menos el lado</translation>
+    </message>
+    <message>
+        <source>A lot needs three corners or more</source>
+        <translation>Una parcela necesita tres esquinas o más</translation>
+    </message>
+    <message>
+        <source>Move the corner instead</source>
+        <translation>Mueva la esquina en su lugar</translation>
+    </message>
+    <message>
+        <source>hot all year</source>
+        <translation>calor todo el año</translation>
+    </message>
+    <message>
+        <source>hot months</source>
+        <translation>meses de calor</translation>
+    </message>
+    <message>
+        <source>before the hot months</source>
+        <translation>antes de los meses de calor</translation>
+    </message>
+    <message>
+        <source>after the hot months</source>
+        <translation>después de los meses de calor</translation>
+    </message>
+    <message>
+        <source>winter</source>
+        <translation>invierno</translation>
+    </message>
+    <message>
+        <source>early spring</source>
+        <translation>inicio de la primavera</translation>
+    </message>
+    <message>
+        <source>hot month</source>
+        <translation>mes de calor</translation>
+    </message>
+    <message>
+        <source>growing season</source>
+        <translation>época de crecimiento</translation>
+    </message>
+    <message>
+        <source>pedestrian comfort</source>
+        <translation>confort de los peatones</translation>
+    </message>
+    <message>
+        <source>plants</source>
+        <translation>plantas</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>predeterminado</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5805,6 +5863,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Painting the page</source>
         <translation>Dibujando la página</translation>
+    </message>
+    <message>
+        <source>Sheets that are to be written are shown here</source>
+        <translation>Aquí se muestran las hojas que se van a escribir</translation>
     </message>
 </context>
 <context>
@@ -6072,6 +6134,41 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Building or tree</source>
         <translation>Edificio o árbol</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Contributions</name>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>NE</source>
+        <translation>NE</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>NW</source>
+        <translation>NO</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>SW</source>
+        <translation>SO</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>SE</translation>
     </message>
 </context>
 <context>
@@ -8924,6 +9021,13 @@ Componente vertical del cielo con árboles: %1 % y %2 %</translation>
             <numerusform>y %1 árboles más</numerusform>
         </translation>
     </message>
+    <message>
+        <source>
+In the sun on %1, %2: %3</source>
+        <comment>a day, trees as evergreens, times</comment>
+        <translation>
+Al sol el %1, %2: %3</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PointInspector</name>
@@ -9142,12 +9246,12 @@ Componente vertical del cielo con árboles: %1 % y %2 %</translation>
         <translation>Solo si el programa no se abre con un archivo. Ayuda &gt; Página de inicio la muestra siempre</translation>
     </message>
     <message>
-        <source>Of menus, panels and numbers; applies at once. Files, sheets and error messages stay English</source>
-        <translation>De menús, paneles y números; se aplica enseguida. Los archivos, las láminas y los mensajes de error siguen en inglés</translation>
-    </message>
-    <message>
         <source>In which areas, lengths and heights are shown and lengths are typed; applies at once</source>
         <translation>En qué se muestran áreas, longitudes y alturas y se escriben las longitudes; se aplica enseguida</translation>
+    </message>
+    <message>
+        <source>Of menus, panels and numbers; applies at once. Files and sheets stay English, and so do errors and warnings that hold a number or a name</source>
+        <translation>De los menús, paneles y números; se aplica enseguida. Los archivos y las hojas siguen en inglés, igual que los errores y avisos que contienen un número o un nombre</translation>
     </message>
 </context>
 <context>
@@ -9161,8 +9265,8 @@ Componente vertical del cielo con árboles: %1 % y %2 %</translation>
         <translation>Detener este trabajo; el resultado anterior se conserva</translation>
     </message>
     <message>
-        <source>%1: starting</source>
-        <translation>%1: empezando</translation>
+        <source>starting</source>
+        <translation>empezando</translation>
     </message>
 </context>
 <context>
@@ -10431,12 +10535,12 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>&amp;Buscar</translation>
     </message>
     <message>
-        <source>A building by name or id, a street, a place, a lot or a position</source>
-        <translation>Un edificio por nombre o id, una calle, un lugar, una parcela o una posición</translation>
+        <source>A building by name or id, a street, a place, a lot, a position or a command</source>
+        <translation>Un edificio por nombre o identificador, una calle, un lugar, una parcela, una posición o una orden</translation>
     </message>
     <message>
-        <source>Nothing is called &quot;%1&quot;. Buildings without a name are found by their id.</source>
-        <translation>Nada se llama «%1». Los edificios sin nombre se encuentran por su id.</translation>
+        <source>Nothing is called &quot;%1&quot;, and no command that can be used now. Buildings without a name are found by their id.</source>
+        <translation>Nada se llama «%1», ni ninguna orden que se pueda usar ahora. Los edificios sin nombre se encuentran por su identificador.</translation>
     </message>
 </context>
 <context>
@@ -10446,8 +10550,8 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>Buscar (Ctrl+F)</translation>
     </message>
     <message>
-        <source>A building by name or id, a street, a place, a lot, or a position such as 40.7536, -73.9832</source>
-        <translation>Un edificio por nombre o id, una calle, un lugar, una parcela o una posición como 40.7536, -73.9832</translation>
+        <source>A building by name or id, a street, a place, a lot, a position such as 40.7536, -73.9832, or a command</source>
+        <translation>Un edificio por nombre o identificador, una calle, un lugar, una parcela, una posición como 40.7536, -73.9832, o una orden</translation>
     </message>
 </context>
 <context>
@@ -11178,8 +11282,8 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>periodo</translation>
     </message>
     <message>
-        <source>It is night there now, so this is noon: %1</source>
-        <translation>Allí es de noche ahora, así que esto es el mediodía: %1</translation>
+        <source>The sun is down or low there now, so this is noon: %1</source>
+        <translation>El sol está allí ahora bajo o se ha puesto, así que esto es el mediodía: %1</translation>
     </message>
 </context>
 <context>
@@ -12678,6 +12782,26 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>First day without leaves</source>
         <translation>Primer día sin hojas</translation>
+    </message>
+    <message>
+        <source>the whole city</source>
+        <translation>toda la ciudad</translation>
+    </message>
+    <message>
+        <source>the middle of the city</source>
+        <translation>el centro de la ciudad</translation>
+    </message>
+    <message>
+        <source>around the building</source>
+        <translation>alrededor del edificio</translation>
+    </message>
+    <message>
+        <source>around %1</source>
+        <translation>alrededor de %1</translation>
+    </message>
+    <message>
+        <source>Any country</source>
+        <translation>Cualquier país</translation>
     </message>
 </context>
 </TS>

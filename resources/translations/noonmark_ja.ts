@@ -104,10 +104,6 @@
         <translation>先に「審査する」を押してください</translation>
     </message>
     <message>
-        <source>Check place and year</source>
-        <translation>場所と年を確かめてください</translation>
-    </message>
-    <message>
         <source>The sides of the lot cross each other</source>
         <translation>敷地の辺が交差しています</translation>
     </message>
@@ -134,30 +130,6 @@
     <message>
         <source>Choose one from the list</source>
         <translation>一覧から選んでください</translation>
-    </message>
-    <message>
-        <source>The sides of the lot would cross or touch each other</source>
-        <translation>敷地の辺が交差または接触します</translation>
-    </message>
-    <message>
-        <source>Move the corner or side less far</source>
-        <translation>角または辺の移動を小さくしてください</translation>
-    </message>
-    <message>
-        <source>The sides beside it meet before that</source>
-        <translation>隣の辺どうしがその手前で交わります</translation>
-    </message>
-    <message>
-        <source>Move the side less far</source>
-        <translation>辺の移動を小さくしてください</translation>
-    </message>
-    <message>
-        <source>A lot needs three corners or more</source>
-        <translation>敷地には三つ以上の角が必要です</translation>
-    </message>
-    <message>
-        <source>Move the corner instead</source>
-        <translation>代わりに角を移動してください</translation>
     </message>
     <message>
         <source>No corner is selected</source>
@@ -240,16 +212,16 @@
         <translation>もう一度計算すると、表が現在の場所を示します</translation>
     </message>
     <message>
-        <source>The proposal&apos;s shadow reaches no place in the rule&apos;s hours</source>
-        <translation>提案の影は規則の時間帯にどの場所にも届きません</translation>
-    </message>
-    <message>
-        <source>Review all places to have that stated for each</source>
-        <translation>すべての場所で評価すると、それぞれについて示されます</translation>
-    </message>
-    <message>
         <source>Tick the places to review, or press In reach to find those that the shadow reaches</source>
         <translation>評価する場所を選ぶか、「到達範囲」を押して影が届く場所を探してください</translation>
+    </message>
+    <message>
+        <source>It holds terrains only: open one by Open, or choose a folder of footprints, city models or meshes</source>
+        <translation>地形だけが入っています。「開く」で一つ開くか、建物の外形、都市モデル、メッシュのフォルダを選んでください</translation>
+    </message>
+    <message>
+        <source>There is no result</source>
+        <translation>結果がありません</translation>
     </message>
 </context>
 <context>
@@ -1896,10 +1868,6 @@ All sides %2, area %3</source>
         <translation>%1。古い結果: 建物が変わりました</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%2 の%1</translation>
-    </message>
-    <message>
         <source>%1 &gt; %2 min: %3</source>
         <translation>%1 &gt; %2 分：%3</translation>
     </message>
@@ -1943,10 +1911,6 @@ All sides %2, area %3</source>
         <source>%1: %2</source>
         <comment>a term and its definition</comment>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Building %1</source>
-        <translation>建物 %1</translation>
     </message>
     <message>
         <source>%1 min a day in shadow</source>
@@ -2226,10 +2190,6 @@ The study: %2</source>
         <translation>備考</translation>
     </message>
     <message>
-        <source>%1: %2 compared with %3</source>
-        <translation>%1：%2を%3と比較</translation>
-    </message>
-    <message>
         <source>%1 million rays a second</source>
         <translation>毎秒 %1 百万レイ</translation>
     </message>
@@ -2498,6 +2458,24 @@ Opens the panel Review.</source>
     <message>
         <source>%1 against its empty lot</source>
         <translation>%1(更地との比較)</translation>
+    </message>
+    <message>
+        <source>%1 high</source>
+        <translation>高さ %1</translation>
+    </message>
+    <message>
+        <source>%1 high, %2 %3</source>
+        <comment>a building: its height, how far it is, in which direction</comment>
+        <translation>高さ %1、%3 へ %2</translation>
+    </message>
+    <message>
+        <source>a building %1</source>
+        <comment>23 m high, 120 m NE</comment>
+        <translation>%1の建物</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>多角形</translation>
     </message>
 </context>
 <context>
@@ -2787,10 +2765,6 @@ Opens the panel Review.</source>
     <message>
         <source>Switzerland</source>
         <translation>スイス</translation>
-    </message>
-    <message>
-        <source>Any country</source>
-        <translation>すべての国</translation>
     </message>
     <message>
         <source>Canada</source>
@@ -5684,6 +5658,90 @@ Opens the panel Review.</source>
         <source>Estimated or assumed of %1 trees: height of %2, crown of %3</source>
         <translation>樹木 %1 本のうち推定または仮定: 高さ %2 本、樹冠 %3 本</translation>
     </message>
+    <message>
+        <source>%1: %2 compared with %3</source>
+        <translation>%1：%2を%3と比較</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2 の%1</translation>
+    </message>
+    <message>
+        <source>The proposal&apos;s shadow reaches no place in the rule&apos;s hours</source>
+        <translation>提案の影は規則の時間帯にどの場所にも届きません</translation>
+    </message>
+    <message>
+        <source>Review all places to have that stated for each</source>
+        <translation>すべての場所で評価すると、それぞれについて示されます</translation>
+    </message>
+    <message>
+        <source>The sides of the lot would cross or touch each other</source>
+        <translation>敷地の辺が交差または接触します</translation>
+    </message>
+    <message>
+        <source>Move the corner or side less far</source>
+        <translation>角または辺の移動を小さくしてください</translation>
+    </message>
+    <message>
+        <source>The sides beside it meet before that</source>
+        <translation>隣の辺どうしがその手前で交わります</translation>
+    </message>
+    <message>
+        <source>Move the side less far</source>
+        <translation>辺の移動を小さくしてください</translation>
+    </message>
+    <message>
+        <source>A lot needs three corners or more</source>
+        <translation>敷地には三つ以上の角が必要です</translation>
+    </message>
+    <message>
+        <source>Move the corner instead</source>
+        <translation>代わりに角を移動してください</translation>
+    </message>
+    <message>
+        <source>hot all year</source>
+        <translation>一年中暑い</translation>
+    </message>
+    <message>
+        <source>hot months</source>
+        <translation>暑い月</translation>
+    </message>
+    <message>
+        <source>before the hot months</source>
+        <translation>暑い月の前</translation>
+    </message>
+    <message>
+        <source>after the hot months</source>
+        <translation>暑い月の後</translation>
+    </message>
+    <message>
+        <source>winter</source>
+        <translation>冬</translation>
+    </message>
+    <message>
+        <source>early spring</source>
+        <translation>早春</translation>
+    </message>
+    <message>
+        <source>hot month</source>
+        <translation>暑い月</translation>
+    </message>
+    <message>
+        <source>growing season</source>
+        <translation>生育期</translation>
+    </message>
+    <message>
+        <source>pedestrian comfort</source>
+        <translation>歩行者の快適さ</translation>
+    </message>
+    <message>
+        <source>plants</source>
+        <translation>植物</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>既定</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5774,6 +5832,10 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Painting the page</source>
         <translation>ページを描画中</translation>
+    </message>
+    <message>
+        <source>Sheets that are to be written are shown here</source>
+        <translation>書き出すシートがここに表示されます</translation>
     </message>
 </context>
 <context>
@@ -6040,6 +6102,41 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Building or tree</source>
         <translation>建物または樹木</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Contributions</name>
+    <message>
+        <source>E</source>
+        <translation>東</translation>
+    </message>
+    <message>
+        <source>NE</source>
+        <translation>北東</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>NW</source>
+        <translation>北西</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>西</translation>
+    </message>
+    <message>
+        <source>SW</source>
+        <translation>南西</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>南</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>南東</translation>
     </message>
 </context>
 <context>
@@ -8874,6 +8971,13 @@ Vertical sky component with trees: %1 % and %2 %</source>
             <numerusform>ほか %1 本</numerusform>
         </translation>
     </message>
+    <message>
+        <source>
+In the sun on %1, %2: %3</source>
+        <comment>a day, trees as evergreens, times</comment>
+        <translation>
+%1 に日が当たる時間、%2: %3</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PointInspector</name>
@@ -9092,12 +9196,12 @@ Vertical sky component with trees: %1 % and %2 %</source>
         <translation>ファイルを開かずに起動したときだけ。ヘルプ &gt; スタートページ でいつでも表示できます</translation>
     </message>
     <message>
-        <source>Of menus, panels and numbers; applies at once. Files, sheets and error messages stay English</source>
-        <translation>メニュー、パネル、数値の言語。すぐに適用。ファイル、図面、エラーメッセージは英語のままです</translation>
-    </message>
-    <message>
         <source>In which areas, lengths and heights are shown and lengths are typed; applies at once</source>
         <translation>面積・長さ・高さの表示と長さの入力の単位。すぐに適用</translation>
+    </message>
+    <message>
+        <source>Of menus, panels and numbers; applies at once. Files and sheets stay English, and so do errors and warnings that hold a number or a name</source>
+        <translation>メニュー、パネル、数字の言語で、すぐに変わります。ファイルとシート、数や名前を含むエラーと警告は英語のままです</translation>
     </message>
 </context>
 <context>
@@ -9111,8 +9215,8 @@ Vertical sky component with trees: %1 % and %2 %</source>
         <translation>この処理を中止。前の結果は残ります</translation>
     </message>
     <message>
-        <source>%1: starting</source>
-        <translation>%1: 開始しています</translation>
+        <source>starting</source>
+        <translation>開始中</translation>
     </message>
 </context>
 <context>
@@ -10376,12 +10480,12 @@ Choose what, when and where in the panel Study, and press Run study (Ctrl+R). Th
         <translation>検索(&amp;F)</translation>
     </message>
     <message>
-        <source>A building by name or id, a street, a place, a lot or a position</source>
-        <translation>名称や ID による建物、道路、場所, 敷地、位置</translation>
+        <source>A building by name or id, a street, a place, a lot, a position or a command</source>
+        <translation>名前または ID による建物、通り、場所、敷地、位置、またはコマンド</translation>
     </message>
     <message>
-        <source>Nothing is called &quot;%1&quot;. Buildings without a name are found by their id.</source>
-        <translation>「%1」はありません。名称のない建物は ID で検索できます。</translation>
+        <source>Nothing is called &quot;%1&quot;, and no command that can be used now. Buildings without a name are found by their id.</source>
+        <translation>「%1」という名前のものも、今使えるコマンドもありません。名前のない建物は ID で見つかります。</translation>
     </message>
 </context>
 <context>
@@ -10391,8 +10495,8 @@ Choose what, when and where in the panel Study, and press Run study (Ctrl+R). Th
         <translation>検索 (Ctrl+F)</translation>
     </message>
     <message>
-        <source>A building by name or id, a street, a place, a lot, or a position such as 40.7536, -73.9832</source>
-        <translation>名称や ID による建物、道路、場所、敷地、または 40.7536, -73.9832 のような位置</translation>
+        <source>A building by name or id, a street, a place, a lot, a position such as 40.7536, -73.9832, or a command</source>
+        <translation>名前または ID による建物、通り、場所、敷地、40.7536, -73.9832 のような位置、またはコマンド</translation>
     </message>
 </context>
 <context>
@@ -11123,8 +11227,8 @@ Choose what, when and where in the panel Study, and press Run study (Ctrl+R). Th
         <translation>期間</translation>
     </message>
     <message>
-        <source>It is night there now, so this is noon: %1</source>
-        <translation>現地は今夜なので、正午を表示しています：%1</translation>
+        <source>The sun is down or low there now, so this is noon: %1</source>
+        <translation>現地では今、太陽が低いか沈んでいるため、正午を示しています: %1</translation>
     </message>
 </context>
 <context>
@@ -12618,6 +12722,26 @@ Click a building first.</source>
     <message>
         <source>First day without leaves</source>
         <translation>落葉の初日</translation>
+    </message>
+    <message>
+        <source>the whole city</source>
+        <translation>都市全体</translation>
+    </message>
+    <message>
+        <source>the middle of the city</source>
+        <translation>都市の中央</translation>
+    </message>
+    <message>
+        <source>around the building</source>
+        <translation>建物の周辺</translation>
+    </message>
+    <message>
+        <source>around %1</source>
+        <translation>%1 の周辺</translation>
+    </message>
+    <message>
+        <source>Any country</source>
+        <translation>すべての国</translation>
     </message>
 </context>
 </TS>
