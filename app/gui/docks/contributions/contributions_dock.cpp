@@ -3,7 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCompleter>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -183,8 +183,9 @@ void ContributionsDock::makeTable() {
 }
 
 QWidget* ContributionsDock::makeLegend() {
+    constexpr int inRow = 3;  // so that a narrow panel need not scroll
     auto* legend = new QWidget;
-    auto* cells = new QHBoxLayout(legend);
+    auto* cells = new QGridLayout(legend);
     cells->setContentsMargins(0, 0, 0, 0);
     cells->setSpacing(3);
     for (std::size_t i = 0; i < contributionClasses.size(); ++i) {
@@ -192,8 +193,10 @@ QWidget* ContributionsDock::makeLegend() {
         swatch.fill(toColour(contributionClasses[i].colour));
         auto* colour = new QLabel;
         colour->setPixmap(swatch);
-        cells->addWidget(colour);
-        cells->addWidget(new QLabel(describeClass(i)), 1);
+        const int row = int(i) / inRow, column = 2 * (int(i) % inRow);
+        cells->addWidget(colour, row, column);
+        cells->addWidget(new QLabel(describeClass(i)), row, column + 1);
+        cells->setColumnStretch(column + 1, 1);
     }
     legend->setToolTip(tr("Share of the shadow that a building is charged with"));
     return legend;
