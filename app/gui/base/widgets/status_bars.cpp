@@ -157,6 +157,7 @@ ProgressStrip::ProgressStrip(QBoxLayout::Direction direction, QWidget* parent)
       label_(new QLabel),
       bar_(new QProgressBar),
       cancel_(pushButton(tr("Cancel"), "cancel", tr("Stop this job; the previous result stays"))) {
+    label_->setWordWrap(direction == QBoxLayout::TopToBottom);
     bar_->setRange(0, 1000);
     bar_->setTextVisible(false);
     bar_->setMinimumWidth(120);

@@ -193,7 +193,7 @@ void ContributionLinks::showSheet() {
     if (study_) return showStudy(*study_);
     if (workbench_.past())
         return dock_.explain(
-            tr("Buildings have changed since the last answer. Run it again (Ctrl+R), then "
+            tr("Buildings or trees have changed since the last answer. Run it again (Ctrl+R), then "
                "click a place in the view to see which buildings shade it."));
     dock_.explain(
         tr("No study yet. Run one (Ctrl+R), then click a place in the view to see which buildings "

@@ -60,7 +60,7 @@ void PlaceLinks::follow() {
     const bool outdated = sun ? past || placesChanged || isAged(answer) : isKeptAged;
     dock_.setAside(isDisplayed_ || !kept_.sun ? QString() : nameOfKept());
     const QString why = placesChanged ? tr("Outdated: places have changed")
-                                      : tr("Outdated: buildings or places have changed");
+                                      : tr("Outdated: buildings, trees or places have changed");
     dock_.show(kept_.sun, outdated ? why : QString(), outdated);
     paint();
 }
