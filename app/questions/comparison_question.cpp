@@ -102,10 +102,9 @@ AnswerPage pageOfSavedImpact(const SavedImpact& impact, const SavedContent&, con
 void addSavedComparison(SavedMapBook& book, const SavedImpact& impact, const SavedContent&) {
     book.comparison = &impact;
     if (impact.sides) return;
-    book.note = {
-        heading(QStringLiteral("Not shown")),
-        body(QStringLiteral("The shadow of both scenarios side by side: the version that saved it "
-                            "stored the change alone. Compared again, it has them."))};
+    book.note = {heading(QStringLiteral("Not shown")),
+                 body(QStringLiteral("The shadow of both scenarios side by side: the version that saved it "
+                                     "stored the change alone. Compared again, it has them."))};
 }
 
 }  // namespace
