@@ -96,7 +96,7 @@ public:
     [[nodiscard]] std::uint32_t of(const Tree& tree) const;
     [[nodiscard]] const std::vector<LeafDays>& days() const { return days_; }
     /// Whether all trees follow the city's days.
-    [[nodiscard]] bool areOne() const { return days_.size() == 1; }
+    [[nodiscard]] bool isUniform() const { return days_.size() == 1; }
 
 private:
     std::vector<LeafDays> days_;

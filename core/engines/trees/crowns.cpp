@@ -42,7 +42,7 @@ Crown makeCrown(const Tree& tree, LeafSeasons& seasons) {
 
 LeafPhases findLeafPhases(const LeafSeasons& seasons, std::span<const int> days) {
     LeafPhases phases;
-    if (seasons.areOne()) return phases;
+    if (seasons.isUniform()) return phases;
     std::map<std::string, std::uint16_t> known;  // by a letter for each season
     for (const int day : days) {
         std::vector<std::uint8_t> inLeaf;
@@ -56,7 +56,7 @@ LeafPhases findLeafPhases(const LeafSeasons& seasons, std::span<const int> days)
 }
 
 LeafPhases findLeafPhases(const LeafSeasons& seasons, const SunSteps& sun) {
-    if (seasons.areOne()) return {};
+    if (seasons.isUniform()) return {};
     std::vector<int> days;
     for (const SunDay& day : sun.days) days.push_back(dayOfCommonYear(day.date));
     LeafPhases phases = findLeafPhases(seasons, days);
@@ -85,7 +85,7 @@ CrownScene makeCrownScene(const City& city, std::vector<std::uint32_t> trees, co
     for (const std::uint32_t tree : scene.trees)
         scene.crowns.push_back(makeCrown(city.trees->trees[tree], seasons));
     scene.inLeaf.assign(sun.steps.size(), 0);
-    if (!seasons.areOne()) {
+    if (!seasons.isUniform()) {
         scene.phases = findLeafPhases(seasons, sun);
         joinSinglePhase(scene);
         return scene;
