@@ -756,11 +756,11 @@ TEST_F(SunByPlaceWindow, WhoShadesAPlaceIsOfTheDateThatIsShown) {
     ASSERT_TRUE(waitFor([&] { return !contributions.model().sheet().rows.empty(); }));
     const SunByPlaceSettings& settings = sun()->baseline.settings;
     const ContributionTable kept = workbench().answer()->ofPlaces().front();
-    EXPECT_EQ(kept.period, formatText(periodOf(settings, settings.dates[0])));
+    EXPECT_EQ(kept.period, statePeriod(periodOf(settings, settings.dates[0])));
     field<QComboBox>("placesShown").setCurrentIndex(0);
     ASSERT_TRUE(waitFor([&] { return workbench().answer()->ofPlaces().size() == 2; }))
         << "of the period, too";
-    EXPECT_EQ(workbench().answer()->ofPlaces().back().period, formatText(settings.study.period));
+    EXPECT_EQ(workbench().answer()->ofPlaces().back().period, statePeriod(settings.study.period));
 }
 
 // Without another result there is nothing to return to: the list has the hidden one all the same.
