@@ -217,7 +217,8 @@ private:
         json["full_cover_min" + suffix] = round4(own.fullCoverMin);
         json["all_sun_taken_min" + suffix] = round4(own.allSunTakenMin);
         const auto add = [&](const char* kind, const ShadowOnPlace& shadow) {
-            for (const auto& [key, value] : summary(shadow, own).items()) json[kind][key + suffix] = value;
+            const Json all = summary(shadow, own);  // items() refers to it
+            for (const auto& [key, value] : all.items()) json[kind][key + suffix] = value;
         };
         add("baseline", own.baseline);
         add("scenario", own.scenario);
