@@ -5,7 +5,6 @@
 #include <map>
 #include <tuple>
 
-#include "core/describe/text.h"
 #include "core/geo/lon_lat.h"
 #include "core/sun/zone_country.h"
 #include "generated/shipped_rules.h"
@@ -15,7 +14,7 @@ namespace noonmark {
 namespace {
 
 std::string groupName(const Rule& rule) {
-    if (rule.countries.empty()) return NM_TEXT("Any country");
+    if (rule.countries.empty()) return anyCountry;
     return rule.countries.size() == 1 ? countryName(rule.countries.front()) : rule.where;
 }
 

@@ -7,15 +7,19 @@
 
 #include "core/base/result.h"
 #include "core/base/warnings.h"
+#include "core/describe/text.h"
 #include "core/geo/frame.h"
 #include "core/review/library/read_rule.h"
 #include "core/review/rule/rule.h"
 
 namespace noonmark {
 
+/// The name of the group of rules that name no country.
+inline constexpr const char* anyCountry = NM_TEXT("Any country");
+
 /// Rules of one country, or of several that share a rule.
 struct RuleGroup {
-    std::string name;       ///< "United States", "Europe"; "Any country" of rules that name none
+    std::string name;       ///< "United States", "Europe"; anyCountry of rules that name none
     bool isAbroad = false;  ///< the site lies in another country
     std::vector<const Rule*> rules;
 };

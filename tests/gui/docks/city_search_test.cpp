@@ -127,14 +127,17 @@ TEST_F(ProjectWindow, WhatIsChosenInTheListIsShownAlsoOnceTheFieldHasLostTheFocu
 
 TEST_F(ProjectWindow, ACommandThatIsTypedIsRun) {
     auto* field = window->findChild<SearchField*>();
-    QAction* asked = window->findChild<QAction*>(QStringLiteral("drawPlace"));
+    QAction* asked = nullptr;
+    for (const QMenu* menu : window->findChildren<QMenu*>())
+        for (QAction* one : menu->actions())
+            if (one->objectName() == QStringLiteral("drawPlace")) asked = one;
     ASSERT_NE(asked, nullptr);
     QSignalSpy run(asked, &QAction::triggered);
     field->setFocus();
     QTest::keyClicks(field, asked->text().remove(u'&'));
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_EQ(run.size(), 1);
-    EXPECT_TRUE(field->text().isEmpty());
+    EXPECT_TRUE(waitFor([&] { return field->text().isEmpty(); }));
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 #include "app/gui/base/widgets/name_text.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <QObject>
 
 #include "app/gui/base/widgets/error_text.h"
+#include "core/review/library/rule_library.h"
 #include "core/study/contributions/contributions.h"
 #include "scenarios/scenario.h"
 
@@ -13,13 +15,17 @@ QString scenarioName(const std::string& name) {
     return name == existingCity ? QObject::tr("Existing") : QString::fromStdString(name);
 }
 
-QString ruleName(std::string_view name) { return translated(name); }
+// Not by whatever context has the same word: a rule of the user's own may be called "Tower".
+QString ruleName(std::string_view name) {
+    if (name == anyCountry) return translated(name);
+    return QCoreApplication::translate("Rule", std::string(name).c_str());
+}
 
 QString weightName(const std::string& name) {
     const QString english = QString::fromStdString(name);
     for (int month = 1; month <= 12; ++month)
         if (QLocale::c().standaloneMonthName(month) == english) return QLocale().standaloneMonthName(month);
-    return translated(name);
+    return QCoreApplication::translate("noonmark", name.c_str());
 }
 
 QString nameOfTree(const Contribution& tree) {

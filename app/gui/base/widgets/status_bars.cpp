@@ -221,7 +221,7 @@ void ProgressStrip::showLast() {
     cancel_->setVisible(last.jobs != Jobs::whole);
     const auto textAt = [&](int percent) { return QStringLiteral("%1, %2 %").arg(last.what).arg(percent); };
     label_->setText(textAt(int(last.fraction * 100)));
-    label_->setMinimumWidth(label_->fontMetrics().horizontalAdvance(textAt(100)));
+    if (!label_->wordWrap()) label_->setMinimumWidth(label_->fontMetrics().horizontalAdvance(textAt(100)));
     setToolTip(last.stage);
     bar_->setValue(int(last.fraction * bar_->maximum()));
     setVisible(!last.other || !isSeen(*last.other));

@@ -258,10 +258,11 @@ std::shared_ptr<const PlaceContributions> ContributionLinks::shown() const {
 
 // A place is attributed at once; the whole region, which may take long, when its button is pressed.
 void ContributionLinks::choose(const std::string& place) {
+    // Another date of the same place leaves the camera.
+    isJustChosen_ = !place.empty() && (isJustChosen_ || place != dock_.subject());
     dock_.setSubject(place);
     panel_.highlightPlace(place);
     working_.drop();
-    isJustChosen_ = !place.empty();
     refresh();
     const bool other = workbench_.answerAs<ImpactAnswer>() || workbench_.answerAs<SavedContent>();
     if (other || place.empty() || savedTable() != nullptr) return;

@@ -110,8 +110,8 @@ std::vector<Found> CitySearch::find(const QString& text, std::size_t maximum) co
     const QString wanted = fold(text);
     if (wanted.isEmpty()) return {};
     std::vector<Found> found;
-    if (const auto at = parsePosition(text, frame_.origin())) {
-        const glm::vec2 point(frame_.localFromLonLat(*at));
+    if (const auto at = frame_ ? parsePosition(text, frame_->origin()) : std::nullopt) {
+        const glm::vec2 point(frame_->localFromLonLat(*at));
         found.push_back({FoundKind::coordinates,
                          text.trimmed(),
                          QObject::tr("position"),

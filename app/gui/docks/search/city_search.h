@@ -60,7 +60,7 @@ private:
 
     void addCommands(const QMenu& menu, const QString& path);
 
-    Frame frame_{{0, 0}};
+    std::optional<Frame> frame_;  ///< none: no city, and no positions
     std::vector<Entry> entries_;
 };
 

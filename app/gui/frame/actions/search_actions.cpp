@@ -61,8 +61,9 @@ void SearchActions::findCommandsOf(const QMenuBar& menus) {
 
 void SearchActions::show(const Found& found) {
     if (found.kind == FoundKind::command) {
-        field_->clear();
-        return found.command->trigger();
+        // Later: the list that it was chosen in writes its title into the field.
+        QMetaObject::invokeMethod(field_, &QLineEdit::clear, Qt::QueuedConnection);
+        return found.command ? found.command->trigger() : void();
     }
     panel_.navigator().showSlanting(widened(found.box));
     if (found.building) tools_.building().select(found.building);

@@ -49,16 +49,16 @@ Sentence makeTitle(const TitleSource& source, const MeasuredPart& part) {
 }
 
 // All arguments are names, of which the program gives some: the existing city, rules, questions, weights.
-std::string localName(const std::string& name) {
-    if (name == existingCity) return scenarioName(name).toStdString();
+std::string localName(const std::string& name, const MeasuredPart& part) {
+    if (name == part.scenario || name == part.baseline) return scenarioName(name).toStdString();
     const std::string rule = ruleName(name).toStdString();
     return rule == name ? weightName(name).toStdString() : rule;
 }
 
-QString localText(const Sentence& sentence) {
+QString localText(const Sentence& sentence, const MeasuredPart& part) {
     std::vector<std::string> names;
     for (const Sentence::Argument& one : sentence.arguments)
-        names.push_back(localName(std::get<std::string>(one)));
+        names.push_back(localName(std::get<std::string>(one), part));
     return QString::fromStdString(fillIn(translated(sentence.source).toStdString(), names));
 }
 
@@ -78,20 +78,20 @@ std::string dayOf(const Answer& answer) {
 
 // `name`: the English text, maybe with the number of a further answer: "Study of Tower, 2026-06-21 (2)".
 std::optional<QString> translatedName(const std::string& name, const Sentence& title,
-                                      const std::string& day) {
+                                      const MeasuredPart& part, const std::string& day) {
     const std::string english = withDay(englishText(title), day);
     if (!name.starts_with(english)) return std::nullopt;
     const std::string number = name.substr(english.size());
     const bool isNumber = number.empty() || (number.starts_with(" (") && number.ends_with(')'));
     if (!isNumber) return std::nullopt;
-    return QString::fromStdString(withDay(localText(title).toStdString(), day) + number);
+    return QString::fromStdString(withDay(localText(title, part).toStdString(), day) + number);
 }
 
 QString translatedName(const std::string& name, const TitleSource& source, const MeasuredPart& part,
                        const std::string& day) {
-    if (const auto text = translatedName(name, makeTitle(source, part), day)) return *text;
+    if (const auto text = translatedName(name, makeTitle(source, part), part, day)) return *text;
     if (source.viewer.name)
-        if (const auto text = translatedName(name, source.viewer.name(part), day)) return *text;
+        if (const auto text = translatedName(name, source.viewer.name(part), part, day)) return *text;
     return QString::fromStdString(name);
 }
 
@@ -99,7 +99,8 @@ QString translatedName(const std::string& name, const TitleSource& source, const
 
 QString titleOf(const Answer& answer) {
     const auto ofSaved = viewerOf(answer).savedTitle;
-    return ofSaved ? ofSaved(answer) : localText(makeTitle(sourceOf(answer), answer.part()));
+    const MeasuredPart part = answer.part();
+    return ofSaved ? ofSaved(answer) : localText(makeTitle(sourceOf(answer), part), part);
 }
 
 QString listedName(const Answer& answer) {

@@ -19,14 +19,15 @@ namespace noonmark {
 
 namespace {
 
-// Memory for the horizons of one tile if all its cells are receivers.
+// Memory for the horizons of one tile, and the marks of crowns, if all its cells are receivers.
 constexpr std::size_t tileBytes = std::size_t{448} << 20U;
 constexpr std::size_t partsShown = 16, batchesPerPart = 4;
 constexpr std::size_t tasks = 64;  // minimum number of tasks, so that all cores have work until the end
 constexpr int largestTile = 1024;  // cells per side: a row of horizons stays in the first-level cache
 
-int tileSide(std::size_t bins) {
-    const double cells = double(tileBytes) / (double(std::max<std::size_t>(1, bins)) * sizeof(HorizonCode));
+// `cellBytes`: of a cell in a bin.
+int tileSide(std::size_t bins, std::size_t cellBytes) {
+    const double cells = double(tileBytes) / double(std::max<std::size_t>(1, bins) * cellBytes);
     return std::clamp(int(std::sqrt(cells)), 64, largestTile) / ReceiverBlocks::side * ReceiverBlocks::side;
 }
 
@@ -44,10 +45,10 @@ int evenSide(int cells, int maximum) {
 }
 
 // For a single tile with these receivers.
-bool horizonsFit(const Receivers& receivers, std::size_t bins) {
+bool horizonsFit(const Receivers& receivers, std::size_t bins, std::size_t cellBytes) {
     constexpr std::size_t paddingABlock = 32, cellsABlock = ReceiverBlocks::cells;
     const std::size_t numbers = receivers.cells.size() + receivers.grid.size() / cellsABlock * paddingABlock;
-    return numbers * bins * sizeof(HorizonCode) <= tileBytes;
+    return numbers * bins * cellBytes <= tileBytes;
 }
 
 // With many overhangs each bin becomes a batch of its own, because every azimuth of a batch stores which
@@ -100,8 +101,10 @@ std::uint64_t PeriodSweep::outOfReach() { return outOfReach_.combine(std::plus<>
 std::vector<TileBox> PeriodSweep::tiles() const {
     const Grid& grid = receivers_.grid;
     const int size = std::max({1, grid.columns, grid.rows});
-    const bool whole = !keeps_ || (size <= largestTile && horizonsFit(receivers_, bins_.size()));
-    int maximum = whole ? largestTile : tileSide(bins_.size());
+    // Of crowns in leaf and bare, where all cells are near trees.
+    const std::size_t cellBytes = sizeof(HorizonCode) + (crownRuns_ ? 2 * sizeof(DarkLevels) : 0);
+    const bool whole = !keeps_ || (size <= largestTile && horizonsFit(receivers_, bins_.size(), cellBytes));
+    int maximum = whole ? largestTile : tileSide(bins_.size(), cellBytes);
     if (crowns_ != nullptr) maximum = std::min(maximum, crownTileSide(crowns_->sets()));
     return splitIntoTiles(grid, evenSide(size, maximum));
 }

@@ -444,8 +444,11 @@ void makeDarkSpan(const CrownLevels& levels, std::size_t span, const HorizonCode
             hn::IfThenElse(hn::AndNot(low, high), hn::Sub(reached, hn::Set(rowWholes, 1)), none);
         hn::Store(hn::DemoteTo(rowCodes, below), rowCodes, made.below + lane);
         hn::Store(hn::DemoteTo(rowCodes, above), rowCodes, made.above + lane);
-        const auto rest = hn::Or(hn::And(bits, everyBits((1U << firstChangeBit) - 1)),
-                                 hn::ShiftLeft<firstChangeBit>(hn::ShiftRight<bitsOfChange>(changes)));
+        // Beyond the four changes that have a place stands the middle.
+        constexpr DarkLevels middle = (1U << (bitsOfChange - 1)) << (firstChangeBit - bitsOfChange);
+        const auto left = hn::Or(hn::ShiftRight<bitsOfChange>(changes), everyBits(middle));
+        const auto rest =
+            hn::Or(hn::And(bits, everyBits((1U << firstChangeBit) - 1)), hn::ShiftLeft<firstChangeBit>(left));
         const auto isChanged = hn::RebindMask(rowBits, hn::Xor(low, high));
         hn::StoreU(hn::IfThenElse(isChanged, rest, bits), rowBits, dark + lane);
     }
