@@ -34,7 +34,7 @@ struct TreeSeconds {
 };
 /// Within a factor of two; `counts`: what a sweep counts. Some ms.
 TreeSeconds estimateTreeSeconds(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                ShadowCounts counts = ShadowCounts::gross);
+                                ShadowCounts counts);
 
 /// The shade of a city's trees on top of a field of the same city, receivers and steps, by whichever engine:
 /// that engine's own (ShadowField::trees) where it weighs crowns, else by rays, or by a horizon sweep of its

@@ -1,7 +1,7 @@
 // What trees cost the horizon sweep, and how far it is off: a year of 8 h days at one minute over 800 x 800 m
 // in the middle of a city, without trees and with made inventories of 5,000 and 20,000 trees in reach. First
 // the sweep's columns are compared with exact rays on a sample of receivers, also where every third tree has
-// leaf days of its own, of three kinds; then all are timed in turn.
+// leaf days of its own, of two kinds; then all are timed in turn.
 // "district": 2 x 2 km with 100,000 trees, and with a canopy raster of 1 m of which a quarter is canopy.
 // "drag": one of the file's trees among all others follows a hand along 22 m, and the table of the region and
 // of squares of 100 m follows it.

@@ -6,7 +6,7 @@
 //     view_bench [FILE, number of buildings or sample] [seconds for each] [folder for the pictures at rest]
 //                [number of trees]
 //
-// With trees: the view without them and with them, in leaf and bare, plain and in the sun.
+// With trees: the view plain without them, in leaf and bare, and in leaf in the sun.
 //
 // Needs a display: xvfb-run -a draws in software.
 #include <fmt/format.h>

@@ -96,9 +96,7 @@ void printRules(const RuleLibrary& library, const std::string& site, std::ostrea
                                ruleNameOf(figureStatusNames(), findLeastCertain(*rule)), rule->name);
     }
     out << "\nThe letter is that of the least certain figure that a verdict rests on. V: read in the rule's "
-           "text or "
-           "on an "
-           "official page; R: reported by practice; U: not checked against the rule's text.\n";
+           "text or on an official page; R: reported by practice; U: not checked against the rule's text.\n";
     for (const WarningGroup& group : groupWarnings(library.warnings())) out << lineOf(group) << '\n';
 }
 

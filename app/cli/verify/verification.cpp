@@ -51,7 +51,7 @@ std::string_view stateOf(const FoundFile& file) {
     return file.path ? "ANOTHER FILE: its hash differs" : "NOT FOUND";
 }
 
-// Where a file that is not read again once lay says nothing to who verifies.
+// Of a file that is not read again the name is enough: where it once lay helps nobody.
 std::string nameToPrint(const FoundFile& file) {
     const std::string& path = file.recorded.path;
     return cleanText(file.recorded.needed || file.agrees ? path : path.substr(path.find_last_of("/\\") + 1));

@@ -155,7 +155,7 @@ Result<ShadowField> sweepHorizons(const City& city, const Receivers& receivers, 
                       progress, stop);
     if (!crowns.empty() && crowns.phases.empty())
         crownSweep.emplace(crowns, binned, makeOneSet(sun), receivers.grid, walls.datumM,
-                           CrownSweep::widestGroup(settings.counts));
+                           CrownSweep::widestGroupDeg(settings.counts));
     if (crownSweep) sweep.weigh(&*crownSweep, crowns.inLeaf);
     field.cost.seconds["build"] = watch.seconds();
     if (const auto done = sweep.run(field); !done) return tl::make_unexpected(done.error());
@@ -270,7 +270,7 @@ Result<TakenBySet> sweepCrowns(const City& city, const CrownScene& crowns, const
     if (!overhanging) return tl::make_unexpected(overhanging.error());
     const BinnedSun binned = binSun(sun, HorizonSweepSettings{.counts = counts});
     const CrownSweep crownSweep(crowns, binned, sets, receivers.grid, walls.datumM,
-                                CrownSweep::widestGroup(counts));
+                                CrownSweep::widestGroupDeg(counts));
     ProgressShare whole(progress, 0, 1);  // without the partial results, which know no trees
     PeriodSweep sweep(walls, *overhanging, receivers, sun, binned, counts, nullptr, whole, stop);
     sweep.weigh(&crownSweep, crowns.inLeaf);

@@ -80,7 +80,7 @@ CrownScene findCrowns(const City& city, const Receivers& receivers, const SunSte
 /// Of points on any surface, likewise.
 CrownScene findCrowns(const City& city, const SurfacePoints& points, const SunSteps& sun);
 
-/// Which crowns may shade one of these places, of which there is one. `lowestTan`: of the lowest sun's
+/// Which crowns may shade one of these places. `places`: at least one. `lowestTan`: of the lowest sun's
 /// altitude. O(places + crowns).
 std::vector<std::uint32_t> findCrownsNear(const std::vector<Crown>& crowns, std::span<const glm::vec3> places,
                                           double lowestTan);

@@ -80,7 +80,7 @@ double CitySweeps::forecast(std::string_view asked, std::size_t sample) {
 double CitySweeps::forecastTrees(std::size_t sample) const {
     double seconds = 0;
     for (const City* city : cities_) {
-        const TreeSeconds all = estimateTreeSeconds(*city, receivers_, sun_);
+        const TreeSeconds all = estimateTreeSeconds(*city, receivers_, sun_, ShadowCounts::gross);
         const double cells = std::max<double>(1, double(receivers_.cells.size()));
         seconds +=
             (areRaysQuicker(sun_) ? all.rays : all.sweep) + all.rays * std::min(1.0, double(sample) / cells);

@@ -206,8 +206,8 @@ struct CitySun {
     const SunByPlace* city;
     TreeColumns trees;
     const OfPlaces* sun;
-    const OfPlaces* before = nullptr;                 ///< null: it is the baseline
-    const std::vector<SunChange>* changes = nullptr;  ///< likewise
+    const OfPlaces* before = nullptr;                 ///< null: it is the baseline, or has no such column
+    const std::vector<SunChange>* changes = nullptr;  ///< null: it is the baseline
 };
 
 // The baseline first; in each city without trees first.
@@ -216,9 +216,13 @@ std::vector<CitySun> listSuns(const SunByPlace& baseline, std::span<const Compar
     for (const SunWithTrees& with : baseline.withTrees) suns.push_back({&baseline, with.column, &with.sun});
     for (const ComparedSun& one : compared) {
         suns.push_back({&one.sun, TreeColumns::without, &one.sun.sun, &baseline.sun, &one.changes});
-        for (std::size_t i = 0; i < one.sun.withTrees.size(); ++i)
-            suns.push_back({&one.sun, one.sun.withTrees[i].column, &one.sun.withTrees[i].sun,
-                            &baseline.withTrees[i].sun, &one.changesWithTrees[i]});
+        for (std::size_t i = 0; i < one.sun.withTrees.size(); ++i) {
+            const SunWithTrees& with = one.sun.withTrees[i];
+            const auto before = std::ranges::find(baseline.withTrees, with.column, &SunWithTrees::column);
+            suns.push_back({&one.sun, with.column, &with.sun,
+                            before != baseline.withTrees.end() ? &before->sun : nullptr,
+                            &one.changesWithTrees[i]});
+        }
     }
     return suns;
 }
@@ -314,8 +318,9 @@ ElementTable makePeriodTable(const SunByPlace& sun, std::span<const ComparedSun>
     if (!compared.empty()) addChanges(columns);
     addWhere(columns);
     ElementTable table = startTable(columns);
+    const std::vector<CitySun> suns = listSuns(sun, compared);
     for (std::size_t place = 0; place < sun.places.size(); ++place)
-        for (const CitySun& of : listSuns(sun, compared)) addRow(table, columns, {sun, of, place});
+        for (const CitySun& of : suns) addRow(table, columns, {sun, of, place});
     return table;
 }
 
@@ -343,8 +348,9 @@ ElementTable makePartsTable(const SunByPlace& sun, std::span<const ComparedSun> 
     const RowColumns columns = columnsOfParts(!compared.empty());
     ElementTable table = startTable(columns);
     const std::vector<SunPart> parts = listParts(sun);
+    const std::vector<CitySun> suns = listSuns(sun, compared);
     for (std::size_t place = 0; place < sun.places.size(); ++place)
-        for (const CitySun& of : listSuns(sun, compared))
+        for (const CitySun& of : suns)
             for (const SunPart& part : parts) addRow(table, columns, {sun, of, place, &part});
     return table;
 }

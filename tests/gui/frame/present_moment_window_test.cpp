@@ -42,8 +42,8 @@ TEST(PresentTime, IsNoonWhileTheSunIsLow) {
         findPresentTime(newYork, inNewYork, at(2026y / std::chrono::December / 21, 12h + 30min)).value();
     EXPECT_EQ(present.look.at, std::chrono::minutes(12h));
     EXPECT_TRUE(present.isNoon);
-    // At 66 degrees north and 5 east the sun of 1 February is highest, 7 degrees, at ten to one: that is its
-    // light.
+    // At 66 degrees north and 5 east the sun of 1 February is highest, 7 degrees, at ten to one: noon by
+    // the clock has no higher sun, so that the moment stays.
     const Observer north{.place = {5, 66}};
     const Period there{.start = 2025y / std::chrono::March / 21, .zone = "Europe/Oslo"};
     EXPECT_FALSE(findPresentTime(north, there, at(2026y / std::chrono::February / 1, 11h + 50min))->isNoon);

@@ -336,7 +336,7 @@ ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& 
     return sheet;
 }
 
-// Numbers of registers have no blank between words, and digits or signs among their letters.
+// Numbers of registers are long words with digits among their letters.
 bool isReadableName(const std::string& name) {
     if (name.empty()) return false;
     if (!QUuid::fromString(QString::fromStdString(name)).isNull()) return false;

@@ -34,7 +34,8 @@ struct Found {
     QPointer<QAction> command = nullptr;    ///< of FoundKind::command; null: its menu has dropped it since
 };
 
-/// What can be found by name or id in a city with its places and lots. Immutable.
+/// What can be found by name or id in a city with its places and lots. Immutable once its commands are
+/// added.
 class CitySearch {
 public:
     CitySearch() = default;

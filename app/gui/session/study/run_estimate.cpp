@@ -59,10 +59,11 @@ double breakdownSeconds(const StudySettings& settings, std::string_view engine, 
     return engine == "projected" ? seconds.projected : seconds.horizon;
 }
 
+// All engines of studies find longest runs, too.
 TreeSeconds treeSeconds(const City& city, const StudySettings& settings, const Receivers& receivers,
                         const SunSteps& sun) {
     if (settings.trees == TreeColumns::without) return {};
-    return estimateTreeSeconds(city, receivers, sun);
+    return estimateTreeSeconds(city, receivers, sun, ShadowCounts::grossAndRuns);
 }
 
 QString nameOfEngine(std::string_view key) {

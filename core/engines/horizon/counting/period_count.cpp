@@ -54,13 +54,12 @@ void forEachCell(const ReceiverBlocks& blocks, std::size_t part, const auto& vis
 
 }  // namespace
 
-GapsByBin listByBin(std::span<const OverhangGap> own, std::size_t bins) {
-    GapsByBin ofBin(bins);
+void listByBin(std::span<const OverhangGap> own, std::size_t bins, GapsByBin& ofBin) {
+    ofBin.assign(bins, {});
     for (std::size_t first = 0, end = 0; first < own.size(); first = end) {
         while (end < own.size() && own[end].bin == own[first].bin) ++end;
         ofBin[own[first].bin] = own.subspan(first, end - first);
     }
-    return ofBin;
 }
 
 PeriodCount::PeriodCount(const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts)
@@ -110,9 +109,10 @@ void RunCount::walkWithOverhangs(RunMemory& memory, PartRuns& runs) const {
                              [](const OverhangGap& overhangs) { return overhangs.gap.number; });
     forEachLane(memory.overhangs, [&](std::size_t lane, std::span<const OverhangGap> own) {
         if (maximum.values[lane] == longest.values[lane]) return;
-        const GapsByBin ofBin = listByBin(own, memory.lanes.size());
+        listByBin(own, memory.lanes.size(), memory.gaps);
         runs.below[lane] = runs_.ofOne([&](const StepPlace& place) {
-            return memory.lanes[place.bin].values[lane] > place.sun || isInGap(ofBin[place.bin], place.sun);
+            return memory.lanes[place.bin].values[lane] > place.sun ||
+                   isInGap(memory.gaps[place.bin], place.sun);
         });
         longest.values[lane] = std::int16_t(runs.below[lane].length());
     });

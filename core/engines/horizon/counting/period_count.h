@@ -35,8 +35,8 @@ struct OverhangGap {
 
 /// The gaps of one lane by bin.
 using GapsByBin = std::vector<std::span<const OverhangGap>>;
-/// `own`: of one lane, sorted by bin.
-GapsByBin listByBin(std::span<const OverhangGap> own, std::size_t bins);
+/// `own`: of one lane, sorted by bin. Reuses the memory of `ofBin`.
+void listByBin(std::span<const OverhangGap> own, std::size_t bins, GapsByBin& ofBin);
 
 inline bool isInGap(std::span<const OverhangGap> gaps, HorizonCode sun) {
     return std::ranges::any_of(
@@ -57,6 +57,7 @@ struct RunMemory {
     std::vector<RunLanes> lanes, filled;  // one per bin; `filled` only if there are overhangs
     std::vector<OverhangGap> overhangs;   // sorted by lane once the runs are found
     RunLanes undecided;                   ///< longest runs of the part as horizons have them, before rays
+    GapsByBin gaps;                       ///< of a lane
     RunDecider::Memory deciding;
 };
 

@@ -1,6 +1,7 @@
 #include "core/engines/horizon/trees/crown_runs.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace noonmark {
@@ -99,15 +100,12 @@ RunLanes keepDecidedRuns(const RunLanes& withTrees, const RunLanes& plain, const
     return joined;
 }
 
-const DarkSpan& hidesNothingAbove() {
-    static const DarkSpan none = [] {
-        DarkSpan span;
-        std::ranges::fill(span.below, std::numeric_limits<HorizonCode>::min());
-        std::ranges::fill(span.above, std::numeric_limits<HorizonCode>::max());
-        return span;
-    }();
-    return none;
-}
+// Of 64 lanes of which nothing is hidden above.
+alignas(64) constexpr auto noneAbove = [] {
+    std::array<HorizonCode, lanesPerPart> codes{};
+    codes.fill(std::numeric_limits<HorizonCode>::max());
+    return codes;
+}();
 
 // The longest run of one lane of which overhangs hide `gaps`, by bin.
 std::int16_t walkLane(const std::vector<SpanLanes>& spans, std::span<const SpanStep> steps, std::size_t lane,
@@ -132,7 +130,7 @@ void CrownRunCount::addLanes(std::size_t bin, const RunLanes& horizon, const Dar
     PartMarks marks = joinHalves(halves);
     for (std::size_t span = 0; span < levels.spans(); ++span) {
         SpanLanes& lanes = to[firstOfBin_[bin] + span];
-        lanes = {horizon.values, hidesNothingAbove().above};
+        lanes = {horizon.values, noneAbove.data()};
         const DarkLevels beside = 3U << span >> 1U;
         if ((marks.any & beside & levels.all()) == 0) continue;
         memory.made.emplace_back();
@@ -164,19 +162,16 @@ CrownRunCount::Runs CrownRunCount::walk(const Memory& memory) const {
     return {maxOf(leafy, evergreen), maxOf(leafy, bare)};
 }
 
-// Filling the space below the gaps can only lengthen runs, as in RunCount.
-void CrownRunCount::walkBelowOverhangs(const RunMemory& plain, const CrownMarks& marks, std::size_t part,
-                                       Memory& memory, Runs& runs) const {
-    findLanes(plain.filled, marks, part, memory);
-    const Runs maximum = walk(memory);
-    findLanes(plain.lanes, marks, part, memory);
+// Filling the space below the gaps can only lengthen runs, as in RunCount. `maximum`: runs with it filled.
+void CrownRunCount::walkBelowOverhangs(const RunMemory& plain, const Runs& maximum, Memory& memory,
+                                       Runs& runs) const {
     forEachLane(plain.overhangs, [&](std::size_t lane, std::span<const OverhangGap> own) {
         const bool isEvergreen = maximum.evergreen.values[lane] > runs.evergreen.values[lane],
                    isSeasonal = maximum.seasonal.values[lane] > runs.seasonal.values[lane];
         if (!isEvergreen && !isSeasonal) return;
-        const GapsByBin gaps = listByBin(own, plain.lanes.size());
+        listByBin(own, plain.lanes.size(), memory.gaps);
         const auto longest = [&](const std::vector<SpanLanes>& spans, const std::vector<SpanStep>& steps) {
-            return walkLane(spans, steps, lane, gaps, binOfSpan_);
+            return walkLane(spans, steps, lane, memory.gaps, binOfSpan_);
         };
         const std::int16_t leafy = longest(memory.inLeaf, leafy_);
         if (isEvergreen) runs.evergreen.values[lane] = std::max(leafy, longest(memory.inLeaf, bare_));
@@ -186,9 +181,15 @@ void CrownRunCount::walkBelowOverhangs(const RunMemory& plain, const CrownMarks&
 
 CrownRunCount::Runs CrownRunCount::of(const RunMemory& plain, const CrownMarks& marks, std::size_t part,
                                       const RunLanes& decided, Memory& memory) const {
+    const bool hasOverhangs = !plain.overhangs.empty();
+    Runs maximum;
+    if (hasOverhangs) {
+        if (!findLanes(plain.filled, marks, part, memory)) return {decided, decided};
+        maximum = walk(memory);
+    }
     if (!findLanes(plain.lanes, marks, part, memory)) return {decided, decided};
     Runs runs = walk(memory);
-    if (!plain.overhangs.empty()) walkBelowOverhangs(plain, marks, part, memory, runs);
+    if (hasOverhangs) walkBelowOverhangs(plain, maximum, memory, runs);
     return {keepDecidedRuns(runs.evergreen, plain.undecided, decided),
             keepDecidedRuns(runs.seasonal, plain.undecided, decided)};
 }

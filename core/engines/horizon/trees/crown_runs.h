@@ -51,7 +51,8 @@ private:
 /// overhang hides it or crowns take TreeShade::defaultShadedFrom of the sun. Immutable.
 ///
 /// Error: crowns are looked at from the mean azimuth of each bin's group, in up to CrownSweep::maxLevels
-/// altitudes, and their shares of a straight line in between.
+/// altitudes; between two altitudes their share is taken from a straight line, and below the lowest and above
+/// the highest that of the nearest.
 class CrownRunCount {
 public:
     /// `steps` are those of the period, `inLeaf` one for each.
@@ -62,6 +63,7 @@ public:
     struct Memory {
         std::vector<SpanLanes> inLeaf, bare;  // of each bin and span
         std::vector<DarkSpan> made;
+        GapsByBin gaps;  // of a lane
     };
     struct Runs {
         RunLanes evergreen, seasonal;
@@ -77,8 +79,7 @@ private:
     void addLanes(std::size_t bin, const RunLanes& horizon, const DarkLevels* const* halves, Memory& memory,
                   std::vector<SpanLanes>& to) const;
     [[nodiscard]] Runs walk(const Memory& memory) const;
-    void walkBelowOverhangs(const RunMemory& plain, const CrownMarks& marks, std::size_t part, Memory& memory,
-                            Runs& runs) const;
+    void walkBelowOverhangs(const RunMemory& plain, const Runs& maximum, Memory& memory, Runs& runs) const;
 
     const CrownSweep& sweep_;
     std::vector<std::uint32_t> firstOfBin_;  // of its spans; and the end

@@ -3,8 +3,7 @@
 // The folder core/engines/horizon/trees weighs crowns within the horizon sweep. In this file, CrownSweep has
 // the crowns and the suns of each bin in levels of altitude, CrownBatch adds the crowns before each block,
 // and addCrownToBlock(), findVisibleLevels(), weighBlock(), findDark() and makeDarkSpan() are the inner
-// loops. crown_runs.h
-// counts longest runs.
+// loops. crown_runs.h counts longest runs.
 
 #include <array>
 #include <cstddef>
@@ -39,8 +38,8 @@ struct CrownLevels {
     HorizonCode meanCode[maximum] = {};              ///< of the mean altitude
     std::uint16_t weighed = 0;                       ///< levels that have suns, as bits
     [[nodiscard]] std::uint16_t all() const { return std::uint16_t((1U << count) - 1); }
-    /// Longest runs look at crowns between the means of two levels: below the lowest, between the first two,
-    /// ..., above the highest.
+    /// Spans of altitude for longest runs: below the mean of the lowest level, between those of neighbouring
+    /// levels, and above that of the highest.
     [[nodiscard]] std::size_t spans() const { return count + 1; }
     [[nodiscard]] std::uint32_t spanOf(HorizonCode sun) const {
         std::uint32_t span = 0;
@@ -49,9 +48,9 @@ struct CrownLevels {
     }
 };
 
-/// Where crowns take a share of the sun or more from one cell, at one azimuth: bit i, at the mean of level i.
-/// From bit 16 on, of each of the first four changes between a level and the next, in sixteenths of the way
-/// between their means, where the share is reached; of further ones in the middle.
+/// Where crowns take a share of the sun or more from one cell, at one azimuth. Bit i: dark at the mean of
+/// level i. Where two neighbouring levels differ, the share is reached between them: the first four such
+/// places follow from bit 16 on, 4 bits each, in sixteenths of the way; further ones count as the middle.
 using DarkLevels = std::uint32_t;
 inline constexpr unsigned firstChangeBit = 16, bitsOfChange = 4;
 
@@ -106,8 +105,8 @@ void weighBlock(const CrownLevels& levels, const CrownDepths& shares, const Hori
 
 /// Finds for each cell of a block, 16 a row, where crowns take `share` of the sun or more; true if they do
 /// somewhere. Shares between levels are those of a straight line. `computed`: the levels of each row whose
-/// shares are known, as bits; the others count as the nearest that is. `bare`: at levels with suns out of
-/// season alone.
+/// shares are known, as bits; the others count as the next lower one that is known, below the lowest as that
+/// one; a change over such a gap lies in its last span. `bare`: at levels with suns out of season alone.
 bool findDark(const CrownLevels& levels, const CrownDepths& shares, const std::uint16_t* computed,
               float share, DarkLevels* inLeaf, DarkLevels* bare, bool& anyBare);
 
@@ -162,8 +161,8 @@ public:
     static_assert(maxLevels <= CrownLevels::maximum);
     /// A group's width, from its first sun to its last, unless a bin is wider. Longest runs begin and end at
     /// the azimuth of their group.
-    static constexpr double widestGroup(ShadowCounts counts) {
-        return counts == ShadowCounts::grossAndRuns ? 0.5 : 2;  // deg
+    static constexpr double widestGroupDeg(ShadowCounts counts) {
+        return counts == ShadowCounts::grossAndRuns ? 0.5 : 2;
     }
 
     /// `scene`, `binned` and `sets` are of the same steps; `datumM`: local z from which heights count.

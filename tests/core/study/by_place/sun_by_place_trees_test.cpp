@@ -222,6 +222,19 @@ TEST(SunByPlace, TablesForSpreadsheetsHaveTheSameColumnsWhateverIsAsked) {
                 1e-4);
     EXPECT_NEAR(std::stod(parts.back().fields[10]),
                 std::stod(parts.back().fields[7]) - all.baseline.withTrees[1].sun[0].dateHours[0], 2e-4);
+
+    const SunByPlace plain =
+        measureByPlace(loneTower(), {namedPlace("Park", -30, 20, 50, 60)}, settingsOfDays(3));
+    const auto plainRows = [&](std::size_t i) {
+        return parseCsvRows(toCsv(placeTables()[i].make(plain, {})));
+    };
+    std::vector<std::string> withoutChange = period[0].fields;
+    withoutChange.erase(withoutChange.begin() + 13, withoutChange.begin() + 17);
+    EXPECT_EQ(withoutChange.size(), 19U);
+    EXPECT_EQ(plainRows(0)[0].fields, withoutChange) << "without scenario and trees";
+    EXPECT_EQ(plainRows(0).size(), 2U);
+    EXPECT_EQ(plainRows(1)[0].fields,
+              std::vector<std::string>(parts[0].fields.begin(), parts[0].fields.end() - 1));
 }
 
 // Layers of places are drawn by the column of their table that the legend shows.
