@@ -8,8 +8,8 @@
 namespace noonmark {
 
 /// A table of an answer about places, as it is written for spreadsheets. Its columns are the same whatever
-/// trees, months and dates the answer has; with scenarios those of the change besides. All of these are
-/// values of rows. makeTable() is the other form, with a row for each place, which layers of maps need.
+/// trees, months and dates the answer has; with scenarios those of the change besides. makeTable() is the
+/// other form, with a row for each place, which layers of maps need.
 struct PlaceTable {
     const char* file;
     ElementTable (*make)(const SunByPlace& sun, std::span<const ComparedSun> compared);

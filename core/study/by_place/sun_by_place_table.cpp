@@ -280,6 +280,10 @@ void addChanges(RowColumns& columns) {
         columns.push_back(numberColumn(figure.key, figure.decimals, [&figure](const RowSubject& row) {
             return row.of.changes == nullptr ? SunChange::none : figure.get(&(*row.of.changes)[row.place]);
         }));
+    columns.push_back(numberColumn("change_shadow_min", minuteDecimals, [](const RowSubject& row) {
+        return row.of.changes == nullptr ? SunChange::none
+                                         : -minutesPerHour * (*row.of.changes)[row.place].meanHours;
+    }));
 }
 
 void addWhere(RowColumns& columns) {

@@ -199,17 +199,19 @@ TEST(SunByPlace, TablesForSpreadsheetsHaveTheSameColumnsWhateverIsAsked) {
         return parseCsvRows(toCsv(placeTables()[i].make(all.baseline, all.compared)));
     };
     const auto period = tableOf(0), parts = tableOf(1);
-    EXPECT_THAT(
-        period[0].fields,
-        testing::ElementsAre("name", "kind", "part_of", "scenario", "trees", "area_m2", "hours_mean",
-                             "hours_min", "hours_max", "share_enough", "shadow_mean_min", "shadow_most_min",
-                             "shadow_least_min", "change_hours", "max_loss_min", "max_gain_min", "share_lost",
-                             "cell_m", "without_figures", "remarks", "lon_deg", "lat_deg", "source"));
+    EXPECT_THAT(period[0].fields,
+                testing::ElementsAre("name", "kind", "part_of", "scenario", "trees", "area_m2", "hours_mean",
+                                     "hours_min", "hours_max", "share_enough", "shadow_mean_min",
+                                     "shadow_most_min", "shadow_least_min", "change_hours", "max_loss_min",
+                                     "max_gain_min", "share_lost", "change_shadow_min", "cell_m",
+                                     "without_figures", "remarks", "lon_deg", "lat_deg", "source"));
     ASSERT_EQ(period.size(), 1 + 2 * 3U) << "two cities, trees counted in three ways";
     EXPECT_THAT(std::vector<std::string>(period[6].fields.begin(), period[6].fields.begin() + 5),
                 testing::ElementsAre("Park", "park", "", "Avenue", "seasonal"));
     EXPECT_NEAR(std::stod(period[6].fields[6]), all.compared[0].sun.withTrees[1].sun[0].meanHours, 1e-4);
     EXPECT_NEAR(std::stod(period[6].fields[13]), all.compared[0].changesWithTrees[1][0].meanHours, 1e-4);
+    EXPECT_NEAR(std::stod(period[6].fields[17]), -60 * all.compared[0].changesWithTrees[1][0].meanHours,
+                0.01);
     EXPECT_EQ(period[1].fields[13], "") << "the baseline is not compared with itself";
 
     EXPECT_THAT(parts[0].fields,
@@ -229,7 +231,7 @@ TEST(SunByPlace, TablesForSpreadsheetsHaveTheSameColumnsWhateverIsAsked) {
         return parseCsvRows(toCsv(placeTables()[i].make(plain, {})));
     };
     std::vector<std::string> withoutChange = period[0].fields;
-    withoutChange.erase(withoutChange.begin() + 13, withoutChange.begin() + 17);
+    withoutChange.erase(withoutChange.begin() + 13, withoutChange.begin() + 18);
     EXPECT_EQ(withoutChange.size(), 19U);
     EXPECT_EQ(plainRows(0)[0].fields, withoutChange) << "without scenario and trees";
     EXPECT_EQ(plainRows(0).size(), 2U);
