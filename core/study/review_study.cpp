@@ -166,9 +166,15 @@ Result<RuleTimelines> computeRuleTimelines(const Rule& rule, const City& baselin
     RuleTimelines timelines{{}, {}, days.clock, days.sun.stepMinutes};
     for (const Place& place : measured.places) timelines.names.push_back(place.name);
     timelines.days.resize(measured.places.size());
+    const auto spots = prepareSpots(rule, *prepared, settings, stop);
+    if (!spots) return tl::make_unexpected(spots.error());
+    // With the spots between cells, as the rows of a review: both state the same times.
     const auto take = [&](std::size_t, std::span<const PlaceShadow> shadows) -> Result<void> {
-        for (std::size_t i = 0; i < shadows.size(); ++i)
-            timelines.days[i].push_back(computeTimeline(shadows[i], {.longestStays = false}));
+        for (std::size_t i = 0; i < shadows.size(); ++i) {
+            const auto between = spots->near(i, shadows[i]);
+            timelines.days[i].push_back(
+                computeTimeline(shadows[i], {.longestStays = false, .spots = between}));
+        }
         return {};
     };
     return shadeScene(engine, *prepared, take, progress, std::move(stop)).map([&] {

@@ -64,6 +64,32 @@ TEST(ReviewStudy, MelbournesParkIsInReachOfTheTallTowerOnly) {
     EXPECT_EQ(verdict(60), Verdict::fail);
 }
 
+// The park's edge is a spot between the centres of its cells: its shadow comes earlier and leaves later.
+TEST(ReviewStudy, TheTimelineOfADayHasTheTimesOfItsRow) {
+    const Rule rule = shippedRule("melbourne-c278");
+    const std::vector<Place> parks{placeOf("Green", -7, -63, 33, -57)};
+    const City none = cityAt(melbourne, {}), tower = cityAt(melbourne, {{{-10, 0, 0}, {10, 20, 60}}});
+    const ReviewSettings settings{6, "Australia/Melbourne", 2026};
+    const ReviewStudy study = reviewed(rule, none, tower, parks, "Australia/Melbourne", AutoEngine(), 6);
+    Quiet quiet;
+    const RuleTimelines timelines =
+        computeRuleTimelines(rule, none, tower, parks, settings, AutoEngine(), quiet, {}).value();
+    const ReviewRow& row = study.places.at(0).rows.at(0);
+    const ShadowOnPlace& shown = timelines.days.at(0).at(0).incremental;
+    ASSERT_TRUE(row.exits);
+    EXPECT_EQ(shown.enters(), row.enters);
+    EXPECT_EQ(shown.exits(), row.exits);
+    ReviewSettings coarse = settings;
+    coarse.refinesSpots = false;
+    const ShadowOnPlace cells =
+        computeRuleTimelines(rule, none, tower, parks, coarse, AutoEngine(), quiet, {})
+            .value()
+            .days.at(0)
+            .at(0)
+            .incremental;
+    EXPECT_GT(shown.minutes, cells.minutes);
+}
+
 TEST(ReviewStudy, TheForecastCountsTreesWhereTheRuleDoes) {
     Rule rule = shippedRule("melbourne-c278");
     const std::vector<Place> parks{placeOf("Green", -100, -120, 100, -60)};

@@ -72,6 +72,12 @@ TEST(CitySearch, FindsCommandsByTitleAndTooltipWhereTheyCanBeUsed) {
     EXPECT_EQ(found.front().command, plant);
     EXPECT_EQ(found.front().about, QStringLiteral("Edit > Trees"));
     EXPECT_THAT(titles(search.find("avenue")), testing::ElementsAre("Plant trees"));
+    QAction* shape = below->addAction(QStringLiteral("Shape"));
+    shape->setToolTip(QStringLiteral("Plant and shape"));
+    EXPECT_THAT(titles(search.find("plant")), testing::ElementsAre("Plant trees"));
+    CitySearch both = townSearch();
+    both.addCommands(menu);
+    EXPECT_THAT(titles(both.find("plant")), testing::ElementsAre("Plant trees", "Shape"));
     plant->setEnabled(false);
     EXPECT_TRUE(search.find("plant").empty());
 }

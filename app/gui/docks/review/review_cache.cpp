@@ -60,7 +60,9 @@ Result<ReviewRange> computeReviewRange(const ReviewAnswer& answer, std::size_t r
     rule.days.mirrored = false;
     if (lengthOf(rule.days) > longRangeDays) rule.days.everyDays = std::max(2, rule.days.everyDays);
     rule.sampling.stepMinutes = std::max(rangeStepMin, rule.sampling.stepMinutes);
-    return timelinesOf(answer, review, rule, answer.question.settings, progress, std::move(stop))
+    ReviewSettings settings = answer.question.settings;
+    settings.refinesSpots = false;  // which changes times by less than the step
+    return timelinesOf(answer, review, rule, settings, progress, std::move(stop))
         .map([&](RuleTimelines timelines) {
             return ReviewRange{std::move(timelines.days[indexAmong(timelines, answer, review)]),
                                timelines.clock, timelines.stepMinutes};

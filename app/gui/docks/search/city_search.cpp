@@ -106,6 +106,12 @@ void CitySearch::addCommands(const QMenu& menu, const QString& path) {
     }
 }
 
+// Tooltips say more than a name: what is found there alone comes last.
+int CitySearch::rankOf(const Entry& entry, const QString& wanted) {
+    const int title = 2 * rank(entry.folded, wanted), other = rank(entry.foldedId, wanted);
+    return std::max(title, entry.found.kind == FoundKind::command ? std::min(other, 1) : 2 * other);
+}
+
 std::vector<Found> CitySearch::find(const QString& text, std::size_t maximum) const {
     const QString wanted = fold(text);
     if (wanted.isEmpty()) return {};
@@ -120,8 +126,7 @@ std::vector<Found> CitySearch::find(const QString& text, std::size_t maximum) co
     }
     std::vector<std::pair<int, const Entry*>> ranked;
     for (const Entry& entry : entries_)
-        if (const int how = std::max(rank(entry.folded, wanted), rank(entry.foldedId, wanted)); how > 0)
-            ranked.emplace_back(-how, &entry);
+        if (const int how = rankOf(entry, wanted); how > 0) ranked.emplace_back(-how, &entry);
     const auto order = [](const auto& one) {
         return std::tuple(one.first, one.second->folded.size(), one.second->folded);
     };
@@ -167,6 +172,8 @@ SearchField::SearchField(QWidget* parent)
     completer_->setCompletionRole(titleRole);
     setCompleter(completer_);
     completer_->popup()->setMinimumWidth(listWidth);
+    completer_->popup()->setTextElideMode(Qt::ElideRight);
+    completer_->popup()->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     connect(this, &QLineEdit::textEdited, this, &SearchField::search);
     // Not with this field as the receiver: where it loses the focus, QLineEdit ends all connections of its
     // completer with itself.

@@ -60,6 +60,7 @@ private:
     void add(Found found, const QString& id = {});
 
     void addCommands(const QMenu& menu, const QString& path);
+    static int rankOf(const Entry& entry, const QString& wanted);
 
     std::optional<Frame> frame_;  ///< none: no city, and no positions
     std::vector<Entry> entries_;

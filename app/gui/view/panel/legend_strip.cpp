@@ -1,5 +1,6 @@
 #include "app/gui/view/panel/legend_strip.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -90,10 +91,14 @@ QToolButton* shownButton(const char* name, const QString& text, const QString& t
     // In the dark theme the style's own pressed button looks like the other. Set anew with the theme, since
     // style sheets keep the palette that they were read with.
     followTheme(*button, [button] {
-        button->setStyleSheet(QStringLiteral(
-            "QToolButton { background: palette(button); color: palette(button-text); "
-            "border: 1px solid palette(mid); } "
-            "QToolButton:checked { background: palette(highlight); color: palette(highlighted-text); }"));
+        // Of the application: the button's own palette may still be that of the theme before.
+        const QPalette palette = QApplication::palette();
+        const auto colour = [&](QPalette::ColorRole role) { return palette.color(role).name(); };
+        button->setStyleSheet(
+            QStringLiteral("QToolButton { background: %1; color: %2; border: 1px solid %3; } "
+                           "QToolButton:checked { background: %4; color: %5; }")
+                .arg(colour(QPalette::Button), colour(QPalette::ButtonText), colour(QPalette::Mid),
+                     colour(QPalette::Highlight), colour(QPalette::HighlightedText)));
     });
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     return button;
