@@ -57,7 +57,7 @@ public:
 Q_SIGNALS:
     /// What the edits change, in the words of describeEffect(); empty: not known yet, or no longer shown.
     void effectChanged(QString words);
-    void effectAged();  ///< the words are of an earlier shape for half a second or more
+    void effectAged();          ///< the words are of an earlier shape for half a second or more
     void hinted(QString text);  ///< the reason why there is no live shadow
     void shownChanged(bool shown);
     /// The city with the edits shown; null: they are no longer shown.
