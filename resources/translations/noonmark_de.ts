@@ -5773,6 +5773,10 @@ Opens the panel Review.</source>
         <source>default</source>
         <translation>Vorgabe</translation>
     </message>
+    <message>
+        <source>Any country</source>
+        <translation>Jedes Land</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -6121,8 +6125,8 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Ein gespeichertes Ergebnis enthält, was Gebäude seiner ganzen Region nehmen, falls danach gefragt war. Von Orten enthält es die, die vor dem Speichern zugeordnet wurden.</translation>
     </message>
     <message>
-        <source>Buildings have changed since the last answer. Run it again (Ctrl+R), then click a place in the view to see which buildings shade it.</source>
-        <translation>Seit der letzten Antwort haben sich Gebäude geändert. Starten Sie sie erneut (Strg+R) und klicken Sie dann auf einen Ort in der Ansicht, um zu sehen, welche Gebäude ihn beschatten.</translation>
+        <source>Buildings or trees have changed since the last answer. Run it again (Ctrl+R), then click a place in the view to see which buildings shade it.</source>
+        <translation>Gebäude oder Bäume haben sich seit der letzten Antwort geändert. Führen Sie sie erneut aus (Strg+R) und klicken Sie dann in der Ansicht auf einen Ort, um zu sehen, welche Gebäude ihn beschatten.</translation>
     </message>
 </context>
 <context>
@@ -8398,8 +8402,8 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Veraltet: Orte haben sich geändert</translation>
     </message>
     <message>
-        <source>Outdated: buildings or places have changed</source>
-        <translation>Veraltet: Gebäude oder Orte haben sich geändert</translation>
+        <source>Outdated: buildings, trees or places have changed</source>
+        <translation>Veraltet: Gebäude, Bäume oder Orte haben sich geändert</translation>
     </message>
 </context>
 <context>
@@ -12798,10 +12802,6 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>around %1</source>
         <translation>um %1</translation>
-    </message>
-    <message>
-        <source>Any country</source>
-        <translation>Jedes Land</translation>
     </message>
 </context>
 </TS>

@@ -5773,6 +5773,10 @@ Abre el panel Evaluación.</translation>
         <source>default</source>
         <translation>predeterminado</translation>
     </message>
+    <message>
+        <source>Any country</source>
+        <translation>Cualquier país</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -6121,8 +6125,8 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Un resultado guardado contiene lo que los edificios quitan a toda su región, si se pidió. De lugares contiene los que se atribuyeron antes de guardarlo.</translation>
     </message>
     <message>
-        <source>Buildings have changed since the last answer. Run it again (Ctrl+R), then click a place in the view to see which buildings shade it.</source>
-        <translation>Los edificios han cambiado desde la última respuesta. Ejecútela de nuevo (Ctrl+R) y luego haga clic en un lugar de la vista para ver qué edificios le dan sombra.</translation>
+        <source>Buildings or trees have changed since the last answer. Run it again (Ctrl+R), then click a place in the view to see which buildings shade it.</source>
+        <translation>Los edificios o los árboles han cambiado desde la última respuesta. Ejecútela otra vez (Ctrl+R) y haga clic después en un lugar de la vista para ver qué edificios le dan sombra.</translation>
     </message>
 </context>
 <context>
@@ -8398,8 +8402,8 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Desactualizado: los lugares han cambiado</translation>
     </message>
     <message>
-        <source>Outdated: buildings or places have changed</source>
-        <translation>Desactualizado: los edificios o los lugares han cambiado</translation>
+        <source>Outdated: buildings, trees or places have changed</source>
+        <translation>Desactualizado: han cambiado edificios, árboles o lugares</translation>
     </message>
 </context>
 <context>
@@ -12798,10 +12802,6 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>around %1</source>
         <translation>alrededor de %1</translation>
-    </message>
-    <message>
-        <source>Any country</source>
-        <translation>Cualquier país</translation>
     </message>
 </context>
 </TS>

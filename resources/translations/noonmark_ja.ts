@@ -5742,6 +5742,10 @@ Opens the panel Review.</source>
         <source>default</source>
         <translation>既定</translation>
     </message>
+    <message>
+        <source>Any country</source>
+        <translation>すべての国</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -6089,8 +6093,8 @@ as published. Approximate: the legend states the measured error</source>
         <translation>保存した結果には、求められていれば領域全体から建物が奪う量が含まれます。場所については、保存前に算出したものが含まれます。</translation>
     </message>
     <message>
-        <source>Buildings have changed since the last answer. Run it again (Ctrl+R), then click a place in the view to see which buildings shade it.</source>
-        <translation>前回の回答の後に建物が変わりました。再実行 (Ctrl+R) してから、ビュー内の場所をクリックすると、影を落とす建物が分かります。</translation>
+        <source>Buildings or trees have changed since the last answer. Run it again (Ctrl+R), then click a place in the view to see which buildings shade it.</source>
+        <translation>前回の回答のあとに建物または樹木が変わりました。もう一度実行し (Ctrl+R)、ビューで場所をクリックすると、どの建物が影を落としているかが分かります。</translation>
     </message>
 </context>
 <context>
@@ -8354,8 +8358,8 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>古い結果: 場所が変わりました</translation>
     </message>
     <message>
-        <source>Outdated: buildings or places have changed</source>
-        <translation>古い結果: 建物または場所が変わりました</translation>
+        <source>Outdated: buildings, trees or places have changed</source>
+        <translation>最新ではありません: 建物、樹木、または場所が変わりました</translation>
     </message>
 </context>
 <context>
@@ -12738,10 +12742,6 @@ Click a building first.</source>
     <message>
         <source>around %1</source>
         <translation>%1 の周辺</translation>
-    </message>
-    <message>
-        <source>Any country</source>
-        <translation>すべての国</translation>
     </message>
 </context>
 </TS>
