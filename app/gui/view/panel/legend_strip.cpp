@@ -81,6 +81,17 @@ QSpinBox* changeScaleField() {
     return field;
 }
 
+// In the dark theme the style's own pressed button looks like the other.
+void paintShown(QToolButton& button) {
+    const QPalette palette = QApplication::palette();
+    const auto colour = [&](QPalette::ColorRole role) { return palette.color(role).name(); };
+    button.setStyleSheet(QStringLiteral("QToolButton { background: %1; color: %2; border: 1px solid %3; } "
+                                        "QToolButton:checked { background: %4; color: %5; }")
+                             .arg(colour(QPalette::Button), colour(QPalette::ButtonText),
+                                  colour(QPalette::Mid), colour(QPalette::Highlight),
+                                  colour(QPalette::HighlightedText)));
+}
+
 QToolButton* shownButton(const char* name, const QString& text, const QString& tip) {
     auto* button = new QToolButton;
     button->setObjectName(QLatin1String(name));
@@ -88,18 +99,6 @@ QToolButton* shownButton(const char* name, const QString& text, const QString& t
     button->setToolTip(tip);
     button->setCheckable(true);
     button->setAutoExclusive(true);
-    // In the dark theme the style's own pressed button looks like the other. Set anew with the theme, since
-    // style sheets keep the palette that they were read with.
-    followTheme(*button, [button] {
-        // Of the application: the button's own palette may still be that of the theme before.
-        const QPalette palette = QApplication::palette();
-        const auto colour = [&](QPalette::ColorRole role) { return palette.color(role).name(); };
-        button->setStyleSheet(
-            QStringLiteral("QToolButton { background: %1; color: %2; border: 1px solid %3; } "
-                           "QToolButton:checked { background: %4; color: %5; }")
-                .arg(colour(QPalette::Button), colour(QPalette::ButtonText), colour(QPalette::Mid),
-                     colour(QPalette::Highlight), colour(QPalette::HighlightedText)));
-    });
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     return button;
 }
@@ -145,6 +144,10 @@ LegendStrip::LegendStrip(QWidget* parent)
              "is exported.\nContinuous shadow stays as it is: the longest run in the sun does not "
              "follow from it."))) {
     setFixedHeight(stripHeight);
+    // The strip, since widgets with a style sheet are not told of another palette.
+    followTheme(*this, [this] {
+        for (QToolButton* button : {shadow_, sun_}) paintShown(*button);
+    });
     measure_->setObjectName(QStringLiteral("measure"));
     measure_->addItem(translatedWord(nameOf(ShadowMeasure::gross)));
     measure_->addItem(translatedWord(nameOf(ShadowMeasure::continuous)));
