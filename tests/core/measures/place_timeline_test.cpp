@@ -215,21 +215,23 @@ TEST(PlaceStudy, OfATowerUnderASunThatStandsStill) {
     EXPECT_EQ(days[1].areaM2, 0);
 }
 
+std::shared_ptr<const Trees> plantTrees(const std::vector<glm::dvec2>& places, float leafOffTransmissivity) {
+    Trees trees{{}, {100, 300}, true};
+    for (const glm::dvec2 place : places)
+        trees.trees.push_back({.place = place,
+                               .heightM = 10,
+                               .crownBaseM = 3,
+                               .crownDiameterM = 8,
+                               .leafOnTransmissivity = 0.1F,
+                               .leafOffTransmissivity = leafOffTransmissivity});
+    return std::make_shared<const Trees>(trees);
+}
+
 // Two trees in a park, one of them in the scenario alone, and a sun that stands still: at each step the areas
 // are those of rays on the same cells.
 TEST(PlaceStudy, WeighsCrownsAtEachStep) {
     City before = cityOf({{{10, 100, 0}, {14, 104, 8}}});
-    const auto plant = [&](std::vector<glm::dvec2> places) {
-        Trees trees{{}, {100, 300}, true};
-        for (const glm::dvec2 place : places)
-            trees.trees.push_back({.place = place,
-                                   .heightM = 10,
-                                   .crownBaseM = 3,
-                                   .crownDiameterM = 8,
-                                   .leafOnTransmissivity = 0.1F,
-                                   .leafOffTransmissivity = 0.6F});
-        return std::make_shared<const Trees>(trees);
-    };
+    const auto plant = [](const std::vector<glm::dvec2>& places) { return plantTrees(places, 0.6F); };
     before.trees = plant({{10, 110}});
     City after = before;
     after.trees = plant({{10, 110}, {30, 120}});
@@ -275,17 +277,7 @@ TEST(PlaceStudy, WeighsCrownsAtEachStep) {
 // One tree that stands and one that is planted, and a sun that stands still for two minutes: the middles of
 // their shadows, 6.5 m north of the stems, are dark, and what lies between the stems is not.
 TEST(PlaceStudy, HasTimesAndCoversOfCellsThatCrownsDarken) {
-    const auto plant = [&](std::vector<glm::dvec2> places) {
-        Trees trees{{}, {100, 300}, true};
-        for (const glm::dvec2 place : places)
-            trees.trees.push_back({.place = place,
-                                   .heightM = 10,
-                                   .crownBaseM = 3,
-                                   .crownDiameterM = 8,
-                                   .leafOnTransmissivity = 0.1F,
-                                   .leafOffTransmissivity = 0.9F});
-        return std::make_shared<const Trees>(trees);
-    };
+    const auto plant = [](const std::vector<glm::dvec2>& places) { return plantTrees(places, 0.9F); };
     City before, after;
     before.trees = plant({{10, 110}});
     after.trees = plant({{10, 110}, {30, 120}});

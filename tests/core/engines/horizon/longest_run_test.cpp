@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <random>
 #include <vector>
+
+#include "core/engines/horizon/trees/crown_sweep.h"
 
 namespace noonmark {
 namespace {
@@ -169,6 +172,40 @@ TEST(RunSearch, FindsGapsThatNoHorizonKnowsOf) {
         for (const DaySteps& part : partsOf(steps)) search.walk(part);
         EXPECT_EQ(search.longest(), longestOf(scene.hidden, steps)) << round;
     }
+}
+
+// Of random marks of 64 cells, the spans as they follow from the words of DarkLevels: also beyond the four
+// changes whose place is kept.
+TEST(DarkSpans, HideWhatTheMarksOfTheirLevelsSay) {
+    constexpr HorizonCode none = std::numeric_limits<HorizonCode>::max();
+    CrownLevels levels;
+    levels.count = 12;
+    for (std::size_t i = 0; i < levels.count; ++i) levels.meanCode[i] = HorizonCode(1000 + 90 * i * (i + 1));
+    std::mt19937 random(7);
+    alignas(64) std::array<DarkLevels, lanesOfDark> dark;
+    alignas(64) std::array<HorizonCode, lanesOfDark> horizons;
+    for (DarkLevels& marks : dark) marks = DarkLevels(random()) & ~(0xfU << levels.count);
+    for (HorizonCode& horizon : horizons) horizon = HorizonCode(random() % 20000);
+    const auto marks = dark;
+    std::array<unsigned, lanesOfDark> changes{};
+    unsigned most = 0;
+    for (std::size_t span = 0; span < levels.spans(); ++span) {
+        DarkSpan made;
+        makeDarkSpan(levels, span, horizons.data(), dark.data(), made);
+        const std::size_t lower = span == 0 ? 0 : span - 1, upper = std::min(span, levels.count - 1);
+        const int width = levels.meanCode[upper] - levels.meanCode[lower];
+        for (std::size_t lane = 0; lane < lanesOfDark; ++lane) {
+            const bool low = (marks[lane] >> lower & 1U) != 0, high = (marks[lane] >> upper & 1U) != 0;
+            const unsigned change = low == high ? 0 : changes[lane]++;
+            const int sixteenths = change < 4 ? int(marks[lane] >> (16 + 4 * change) & 15U) : 8;
+            const int reached = levels.meanCode[lower] + std::max(width * (2 * sixteenths + 1) / 32, 1);
+            const int horizon = horizons[lane];
+            EXPECT_EQ(made.below[lane], !low ? horizon : high ? int(none) : std::max(horizon, reached));
+            EXPECT_EQ(made.above[lane], !low && high ? reached - 1 : int(none));
+            most = std::max(most, changes[lane]);
+        }
+    }
+    EXPECT_GT(most, 5U);
 }
 
 }  // namespace
