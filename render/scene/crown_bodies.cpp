@@ -16,8 +16,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr QColor trunkColour{0x7a, 0x67, 0x55};
-constexpr QColor branchColour{0x6b, 0x5c, 0x50};
 constexpr std::size_t maxDetailed = 20'000;  // trees; more are drawn with fewer faces
 constexpr int trunkSides = 3;
 constexpr float trunkShare = 0.02F;  // radius of the trunk as a share of the tree's height
@@ -160,12 +158,12 @@ std::optional<TreeHit> pickTree(const std::vector<Tree>& trees, const ViewRay& r
 
 namespace {
 
-// All crowns as one building: which of them a ray meets does not matter.
-Result<std::vector<RayScene>> makeScene(TriangleMesh crowns, const std::stop_token& stop) {
-    if (crowns.triangles.empty()) return std::vector<RayScene>{};
+// All of them as one building: which a ray meets does not matter.
+Result<std::vector<RayScene>> makeScene(TriangleMesh bodies, const std::stop_token& stop) {
+    if (bodies.triangles.empty()) return std::vector<RayScene>{};
     Part part;
-    for (const glm::vec3& vertex : crowns.vertices) part.topM = std::max(part.topM, vertex.z);
-    part.mesh = std::make_shared<const TriangleMesh>(std::move(crowns));
+    for (const glm::vec3& vertex : bodies.vertices) part.topM = std::max(part.topM, vertex.z);
+    part.mesh = std::make_shared<const TriangleMesh>(std::move(bodies));
     Building all;
     all.parts.push_back(std::move(part));
     City city;
@@ -180,13 +178,27 @@ Result<std::shared_ptr<const CrownRays>> makeCrownRays(std::shared_ptr<const Tre
     Bodies bodies = makeBodies(*trees);
     auto evergreen = makeScene(std::move(bodies.evergreen), stop);
     if (!evergreen) return tl::make_unexpected(evergreen.error());
-    CrownRays rays{std::move(trees), *std::move(evergreen), {}};
+    auto trunks = makeScene(std::move(bodies.trunks), stop);
+    if (!trunks) return tl::make_unexpected(trunks.error());
+    CrownRays rays{std::move(trees), *std::move(evergreen), *std::move(trunks), {}};
     for (Bodies::Season& season : bodies.seasons) {
         auto losing = makeScene(std::move(season.leafy), stop);
         if (!losing) return tl::make_unexpected(losing.error());
         for (RayScene& crowns : *losing) rays.losingLeaves.push_back({season.days, std::move(crowns)});
     }
     return std::make_shared<const CrownRays>(std::move(rays));
+}
+
+std::vector<TracedTrees> listTraced(const CrownRays& rays, int dayOfYear) {
+    std::vector<TracedTrees> traced;
+    const auto add = [&traced](const std::vector<RayScene>& scenes, TreePart part) {
+        for (const RayScene& scene : scenes) traced.push_back({scene, part});
+    };
+    add(rays.evergreen, TreePart::evergreen);
+    add(rays.trunks, TreePart::trunk);
+    for (const CrownRays::Losing& losing : rays.losingLeaves)
+        add({losing.crowns}, losing.days.inLeafOn(dayOfYear) ? TreePart::leafy : TreePart::bare);
+    return traced;
 }
 
 CrownBodies::CrownBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent,
@@ -201,9 +213,9 @@ CrownBodies::CrownBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, 
     };
     evergreen_ = tinted(colours.evergreen);
     leafy_ = tinted(colours.leafy);
-    trunk_ = tinted(trunkColour);
+    trunk_ = tinted(colours.trunk);
     branch_ = new ShaderMaterial(QStringLiteral("edge"), parent);
-    branch_->set(QStringLiteral("edgeColour"), toVector(branchColour));
+    branch_->set(QStringLiteral("edgeColour"), toVector(colours.branches));
     branch_->blend();
 }
 
@@ -212,12 +224,17 @@ void CrownBodies::show(std::shared_ptr<const Trees> trees) {
     trees_ = std::move(trees);
     delete root_;
     root_ = nullptr;
+    sameAllYear_.clear();
     seasons_.clear();
-    if (!trees_ || trees_->trees.empty()) return;
+    enable();
+}
+
+void CrownBodies::makeEntities() {
     root_ = new Qt3DCore::QEntity(parent_);
     const Bodies bodies = makeBodies(*trees_);
-    drawMesh(bodies.evergreen, *evergreen_, root_, side_);
-    drawMesh(bodies.trunks, *trunk_, root_, side_);
+    for (Qt3DCore::QEntity* entity : {drawMesh(bodies.evergreen, *evergreen_, root_, side_),
+                                      drawMesh(bodies.trunks, *trunk_, root_, side_)})
+        if (entity) sameAllYear_.push_back(entity);
     for (const Bodies::Season& season : bodies.seasons) {
         seasons_.push_back({season.days, drawMesh(season.leafy, *leafy_, root_, side_)});
         if (season.branches.ends.empty()) continue;
@@ -227,7 +244,6 @@ void CrownBodies::show(std::shared_ptr<const Trees> trees) {
                                    *branch_, root_, blended_);
         branches->addComponent(side_);
     }
-    enable();
 }
 
 void CrownBodies::setDay(int dayOfYear) {
@@ -240,17 +256,26 @@ void CrownBodies::setVisible(bool visible) {
     enable();
 }
 
+void CrownBodies::setTraced(bool traced) {
+    traced_ = traced;
+    enable();
+}
+
 void CrownBodies::setHaze(float distanceM) {
     for (ShaderMaterial* material : {evergreen_, leafy_, trunk_, branch_})
         material->set(QStringLiteral("hazeDistance"), distanceM);
 }
 
 void CrownBodies::enable() {
+    const std::size_t count = trees_ ? trees_->trees.size() : 0;
+    const bool drawn = visible_ && count > 0 && (!traced_ || count <= maxBranched);
+    if (drawn && !root_) makeEntities();
     if (!root_) return;
-    root_->setEnabled(visible_);
+    root_->setEnabled(drawn);
+    for (Qt3DCore::QEntity* entity : sameAllYear_) entity->setEnabled(!traced_);
     for (const Season& season : seasons_) {
         const bool inLeaf = season.days.inLeafOn(dayOfYear_);
-        if (season.leaves) season.leaves->setEnabled(inLeaf);
+        if (season.leaves) season.leaves->setEnabled(inLeaf && !traced_);
         if (season.branches) season.branches->setEnabled(!inLeaf);
     }
 }

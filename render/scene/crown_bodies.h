@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/city/trees/tree.h"
-#include "core/engines/ray/ray_scene.h"
+#include "core/engines/ray/traced_view.h"
 #include "render/view/camera_pose.h"
 
 namespace Qt3DRender {
@@ -26,29 +26,34 @@ struct TreeHit {
 /// Crowns of all shapes are met as ellipsoids. O(trees), some 10 ns each.
 std::optional<TreeHit> pickTree(const std::vector<Tree>& trees, const ViewRay& ray);
 
-/// Crowns as rays towards the sun meet them, for the shade of a moment.
+/// Trees as rays meet them, from the eye and towards the sun.
 struct CrownRays {
     std::shared_ptr<const Trees> trees;  ///< of which they are; not null
-    /// Any number: their shade is one.
-    std::vector<RayScene> evergreen;
+    /// Any number, which are drawn as one.
+    std::vector<RayScene> evergreen, trunks;
     struct Losing {
         LeafDays days;
         RayScene crowns;
     };
     std::vector<Losing> losingLeaves;
 };
+/// What is traced of them on this day of the year, 1 to 366.
+std::vector<TracedTrees> listTraced(const CrownRays& rays, int dayOfYear);
 /// About 1 s for 100,000 trees. Error if memory runs out; cancelled() soon after a stop request.
 Result<std::shared_ptr<const CrownRays>> makeCrownRays(std::shared_ptr<const Trees> trees,
                                                        const std::stop_token& stop);
 
-/// What evergreens and trees in leaf are drawn in.
+/// What the parts of trees are drawn in.
 struct CrownColours {
     QColor evergreen{0x4d, 0x6b, 0x4a};
     QColor leafy{0x7f, 0xa0, 0x62};
+    QColor trunk{0x7a, 0x67, 0x55};
+    QColor branches{0x6b, 0x5c, 0x50};
 };
 
 /// The trees of a city as simple bodies: a crown on a trunk. Without leaves a tree is a few branches, through
-/// which one sees. Some 0.1 s for 100,000 trees, which are drawn with fewer faces each.
+/// which one sees. Some 0.1 s for 100,000 trees, which are drawn with fewer faces each. Where rays draw the
+/// trees, all that is left here are the branches of up to maxBranched trees.
 class CrownBodies {
 public:
     /// `parent` owns the nodes. `blended`: of branches. `side`: of all nodes.
@@ -60,11 +65,15 @@ public:
     /// Which trees have leaves on this day of the year, 1 to 366.
     void setDay(int dayOfYear);
     void setVisible(bool visible);
+    /// Whether rays draw crowns and trunks.
+    void setTraced(bool traced);
+    static constexpr std::size_t maxBranched = 2000;
     [[nodiscard]] bool isVisible() const { return visible_; }
     [[nodiscard]] int day() const { return dayOfYear_; }
     void setHaze(float distanceM);  ///< where what is far away fades into the background
 
 private:
+    void makeEntities();
     void enable();
 
     Qt3DRender::QLayer* blended_;
@@ -72,7 +81,8 @@ private:
     Qt3DCore::QEntity* parent_;
     ShaderMaterial *evergreen_, *leafy_, *trunk_, *branch_;
     std::shared_ptr<const Trees> trees_;
-    Qt3DCore::QEntity* root_ = nullptr;  ///< of all bodies
+    Qt3DCore::QEntity* root_ = nullptr;            ///< of all bodies; null until some are drawn
+    std::vector<Qt3DCore::QEntity*> sameAllYear_;  ///< below root_: evergreens and trunks
     /// Below root_: trees that lose their leaves, of equal days, with and without them; null: none.
     struct Season {
         LeafDays days;
@@ -81,7 +91,7 @@ private:
     };
     std::vector<Season> seasons_;
     int dayOfYear_ = 172;
-    bool visible_ = true;
+    bool visible_ = true, traced_ = false;
 };
 
 }  // namespace noonmark

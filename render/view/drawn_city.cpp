@@ -152,6 +152,7 @@ void DrawnCity::showChanges(const ArrayDifference& changes) {
 void DrawnCity::showTrees(std::shared_ptr<const Trees> trees, std::shared_ptr<const CrownRays> rays) {
     crowns_.show(std::move(trees));
     traced_.setCrowns(std::move(rays));
+    crowns_.setTraced(isTraced() && traced_.hasCrowns());
 }
 
 void DrawnCity::clear() {
@@ -184,6 +185,7 @@ void DrawnCity::showBodies() {
     show(added_.get(), !traced || !addedTraced_);
     if (groundEntity_) groundEntity_->setEnabled(!traced);
     traced_.show(traced);
+    crowns_.setTraced(traced && traced_.hasCrowns());
 }
 
 void DrawnCity::setRays(RayScene scene, const std::vector<std::shared_ptr<const Building>>& buildings) {

@@ -57,8 +57,8 @@ public:
     void clearFinerMap();
     [[nodiscard]] SurfaceLayer& surfaces() { return *surfaces_; }
     [[nodiscard]] SunLayer& sun() { return *sun_; }
-    /// Shows the city's trees, which stay until others are shown; null: none. `rays`: of these, null: without
-    /// shade, as where triangles are drawn.
+    /// Shows the city's trees, which stay until others are shown; null: none. `rays`: of these, which draw
+    /// them and their shade where rays draw the city; null: triangles do, without shade.
     void showTrees(std::shared_ptr<const Trees> trees, std::shared_ptr<const CrownRays> rays);
     /// How they are drawn.
     [[nodiscard]] CrownBodies& crowns() { return crowns_; }

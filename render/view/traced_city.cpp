@@ -80,7 +80,13 @@ TracedCity::TracedCity(Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent)
     : parent_(parent),
       side_(side),
       material_(new ShaderMaterial(QStringLiteral("traced"), parent)),
-      pixels_(makePixels(*material_, side, parent)) {}
+      pixels_(makePixels(*material_, side, parent)) {
+    const CrownColours trees;
+    set("evergreenColour", toVector(trees.evergreen));
+    set("leafyColour", toVector(trees.leafy));
+    set("trunkColour", toVector(trees.trunk));
+    set("branchColour", toVector(trees.branches));
+}
 
 void TracedCity::setScene(RayScene scene, Buildings buildings, Ground ground) {
     scene_ = std::move(scene);
@@ -138,12 +144,8 @@ void TracedCity::trace(const Picture& picture) {
     if (!scene_ || picture.columns.last <= picture.columns.first) return;
     const CameraPose& pose = picture.pose;
     const PixelCamera camera = makeTracedCamera(picture);
-    const bool crowns = crowns_ && picture.treeDay > 0;
-    std::vector<RayScene> dense, light;
-    if (crowns) dense = crowns_->evergreen;
-    if (crowns)
-        for (const CrownRays::Losing& losing : crowns_->losingLeaves)
-            (losing.days.inLeafOn(picture.treeDay) ? dense : light).push_back(losing.crowns);
+    std::vector<TracedTrees> trees;
+    if (crowns_ && picture.treeDay > 0) trees = listTraced(*crowns_, picture.treeDay);
     traceView(*scene_, camera,
               {.groundM = ground_.levelM,
                .terrain = ground_.terrain.get(),
@@ -154,8 +156,7 @@ void TracedCity::trace(const Picture& picture) {
                .hidden = hidden_,
                .marked = proposed_,
                .towardsSun = towardsSun_,
-               .denseCrowns = dense,
-               .lightCrowns = light},
+               .trees = trees},
               view_);
     const double pixel = 1 / samplesPerMetre(camera, 1);
     set("tracedEye", toVector(camera.eye));

@@ -51,8 +51,9 @@ public:
     /// How its picture gets fewer pixels: its nodes in `layer` are drawn into `picture`, from which others
     /// copy it. Needed before the first picture with Picture::isCoarse.
     void setCoarse(Qt3DRender::QLayer* layer, const CoarsePicture& picture);
-    /// The trees of the city, whose shade trace() draws with the sun's; null: none.
+    /// The trees of the city; null: none.
     void setCrowns(std::shared_ptr<const CrownRays> crowns) { crowns_ = std::move(crowns); }
+    [[nodiscard]] bool hasCrowns() const { return crowns_ != nullptr; }
     /// The sun of a moment, a unit vector; empty: none. trace() draws its shadows.
     void setSun(const std::optional<glm::vec3>& towardsSun);
     struct Picture {
@@ -64,7 +65,7 @@ public:
         int leftPx = 0;         ///< column of the window where the picture begins
         int spacingPx = 1;      ///< pixels a side that share one ray; not 1: all columns are wanted
         bool isCoarse = false;  ///< such pixels share their colour, too
-        int treeDay = 0;        ///< day of the year whose leaves trees have; 0: trees cast no shade
+        int treeDay = 0;        ///< day of the year whose leaves trees have; 0: trees are not drawn
     };
     /// Traces a picture, on all cores.
     void trace(const Picture& picture);

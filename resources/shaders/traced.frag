@@ -27,6 +27,10 @@ vec4 lookUp(sampler2D picture, vec2 within, vec4 box, vec3 at) {
 #pragma include earth.inc
 uniform vec3 baseColour;
 uniform vec3 proposalColour;
+uniform vec3 evergreenColour;
+uniform vec3 leafyColour;
+uniform vec3 trunkColour;
+uniform vec3 branchColour;
 
 void main() {
     ivec2 size = textureSize(traced, 0);
@@ -34,6 +38,8 @@ void main() {
     vec2 seen = texelFetch(traced, clamp(ivec2(int(pixel.x), size.y - 1 - int(pixel.y)), ivec2(0), size - 1), 0).xy;
     int bits = floatBitsToInt(seen.y);
     int kind = bits >> 24 & 3;
+    bool behindBareCrown = seen.x < 0.0;
+    seen.x = abs(seen.x);
     vec2 aside = pixel - 0.5 * vec2(size);
     vec3 across = aside.x * tracedRight + aside.y * tracedUp;
     vec3 fromEye = seen.x * tracedForward + (tracedParallel > 0.0 ? 1.0 : seen.x) * across;
@@ -43,12 +49,17 @@ void main() {
     float sun = float(bits >> 27 & 1);
     if ((bits >> 29 & 1) == 1) sun = mix(0.25, 0.7, sun);  // in the shade of crowns: dense, or of bare ones
     vec3 base = (bits >> 28 & 1) == 1 ? proposalColour : baseColour;
+    if (bits < 0) {
+        base = kind == 0 ? evergreenColour : kind == 1 ? leafyColour : trunkColour;
+        kind = 2;
+    }
     vec3 shown = kind == 1 ? earthColour(at, normal, distanceToEye, sun) : bodyColour(base, at, normal, distanceToEye, sun);
     shown = withExplored(shown, at, normal);
     if (kind == 3) shown = vec3(0.36, 0.30, 0.42);  // as cut.frag
     // As edge.frag: far edges fade.
     float edge = float(bits >> 26 & 1) * 0.42 * (1.0 - smoothstep(0.15, 0.8, distanceToEye / hazeDistance));
     vec3 sky = skyColour(normalize(tracedForward + across));
-    colour = vec4(kind == 0 ? sky : mix(shown, edgeColour, edge), 1.0);
+    vec3 clear = kind == 0 ? sky : mix(shown, edgeColour, edge);
+    colour = vec4(behindBareCrown ? mix(clear, branchColour, 0.35) : clear, 1.0);
     gl_FragDepth = kind == 0 ? 1.0 : tracedClip.x + tracedClip.y * (tracedParallel > 0.0 ? seen.x : 1.0 / seen.x);
 }

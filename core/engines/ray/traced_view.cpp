@@ -11,7 +11,23 @@
 
 namespace noonmark {
 
-SeenKind kindOf(TracedPixel pixel) { return SeenKind(pixel.bits >> TracedPixel::kindShift & 3U); }
+namespace {
+
+std::uint32_t kindBitsOf(TracedPixel pixel) { return pixel.bits >> TracedPixel::kindShift & 3U; }
+
+bool isTree(TracedPixel pixel) { return (pixel.bits & TracedPixel::tree) != 0; }
+
+}  // namespace
+
+SeenKind kindOf(TracedPixel pixel) {
+    return isTree(pixel) ? SeenKind::building : SeenKind(kindBitsOf(pixel));
+}
+
+std::optional<TreePart> treePartOf(TracedPixel pixel) {
+    return isTree(pixel) ? std::optional(TreePart(kindBitsOf(pixel))) : std::nullopt;
+}
+
+bool isBehindBareCrown(TracedPixel pixel) { return std::signbit(pixel.depthM); }
 
 namespace {
 
@@ -48,14 +64,52 @@ public:
         if (!space_.hidden.empty()) passHidden(packet, farthest);
         for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane)
             if (packet.hit[lane] == HitPacket::nothing) packet.distance[lane] = ends[lane];
+        const SeenTrees trees = space_.trees.empty() ? SeenTrees{} : traceTrees(packet);
         Bits bits;
         packPixels(packet, ground, camera_.section.has_value(), bits.data());
-        const HitPacket::Lanes depths = packet.distance;
-        if (space_.towardsSun) markSun(packet, ground, bits);
+        if (trees.seen != 0) markTrees(trees, packet, bits);
+        HitPacket::Lanes depths = packet.distance;
+        for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane)
+            if ((trees.behindBare >> lane & 1U) != 0) depths[lane] = -depths[lane];
+        if (space_.towardsSun) markSun(packet, ground & ~trees.seen, bits);
         store(packet, depths, bits, column, row);
     }
 
 private:
+    /// The rays of a packet that meet trees. Bit k: ray k.
+    struct SeenTrees {
+        std::uint32_t seen = 0, behindBare = 0;
+        std::array<TreePart, HitPacket::lanes> parts{};  ///< of rays in `seen`
+    };
+
+    // Ends rays at the trees that they meet before their hits.
+    [[nodiscard]] SeenTrees traceTrees(HitPacket& packet) const {
+        SeenTrees trees;
+        for (const TracedTrees& some : space_.trees) {
+            if (some.part == TreePart::bare) continue;
+            HitPacket next = packet;
+            some.scene.firstHits(next);
+            for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane) {
+                if (next.hit[lane] == HitPacket::nothing) continue;
+                takeLane(packet, next, lane);
+                trees.seen |= 1U << lane;
+                trees.parts[lane] = some.part;
+            }
+        }
+        for (const TracedTrees& some : space_.trees)
+            if (some.part == TreePart::bare) trees.behindBare |= some.scene.findBlocked(packet);
+        return trees;
+    }
+
+    static void markTrees(const SeenTrees& trees, HitPacket& packet, Bits& bits) {
+        for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane) {
+            if ((trees.seen >> lane & 1U) == 0) continue;
+            bits[lane] &= ~(3U << TracedPixel::kindShift);
+            bits[lane] |= TracedPixel::tree | std::uint32_t(trees.parts[lane]) << TracedPixel::kindShift;
+            packet.hit[lane] = HitPacket::nothing;  // none of the city's buildings
+        }
+    }
+
     [[nodiscard]] PixelBlock blockAt(int column, int row) const {
         const float x = float(column) + 0.5F - float(camera_.widthPx) * 0.5F;
         const float y = float(camera_.heightPx) * 0.5F - float(row) - 0.5F;
@@ -68,8 +122,10 @@ private:
         const std::uint32_t facing = turnToSun(*space_.towardsSun, bits.data(), packet);
         if (space_.terrain) liftToTerrain(packet, ground & facing);
         const std::uint32_t lit = facing == 0 ? 0 : facing & ~scene_.findBlocked(packet);
-        const std::uint32_t dense = lit & findBlocked(space_.denseCrowns, packet, lit);
-        const std::uint32_t light = lit & ~dense & findBlocked(space_.lightCrowns, packet, lit);
+        std::uint32_t dense = 0, light = 0;
+        for (const TracedTrees& some : space_.trees)
+            if (lit != 0 && some.part != TreePart::trunk)
+                (some.part == TreePart::bare ? light : dense) |= lit & some.scene.findBlocked(packet);
         for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane) {
             bits[lane] |= ((lit & ~dense) >> lane & 1U) << TracedPixel::sunBit;
             bits[lane] |= ((dense | light) >> lane & 1U) << TracedPixel::crownBit;
@@ -83,14 +139,6 @@ private:
             const float above = elevationAt(*space_.terrain, {packet.originX[lane], packet.originY[lane]});
             packet.originZ[lane] += std::max(0.0F, above - space_.groundM);
         }
-    }
-
-    static std::uint32_t findBlocked(std::span<const RayScene> crowns, const HitPacket& packet,
-                                     std::uint32_t lit) {
-        std::uint32_t blocked = 0;
-        for (const RayScene& some : crowns)
-            if (lit != 0) blocked |= some.findBlocked(packet);
-        return blocked;
     }
 
     // The pixels of a block that lie within the picture.
@@ -166,7 +214,7 @@ private:
 
 int partOf(std::uint32_t bits, unsigned shift) { return int(bits >> shift & 0xffU) - 127; }
 
-bool isBuilding(TracedPixel pixel) { return kindOf(pixel) >= SeenKind::building; }
+bool isBuilding(TracedPixel pixel) { return !isTree(pixel) && kindOf(pixel) >= SeenKind::building; }
 
 bool differs(const TracedView& view, std::size_t a, std::size_t b) {
     const std::uint32_t one = view.pixels[a].bits, other = view.pixels[b].bits;
@@ -178,12 +226,12 @@ bool differs(const TracedView& view, std::size_t a, std::size_t b) {
 }
 
 float depthOf(TracedPixel pixel) {
-    return kindOf(pixel) == SeenKind::sky ? std::numeric_limits<float>::infinity() : pixel.depthM;
+    return kindOf(pixel) == SeenKind::sky ? std::numeric_limits<float>::infinity() : std::abs(pixel.depthM);
 }
 
 // The nearer of two pixels has the edge, so that lines are one pixel wide.
 bool bordersOn(const TracedView& view, std::size_t pixel, std::size_t neighbour) {
-    if (!differs(view, pixel, neighbour)) return false;
+    if (isTree(view.pixels[pixel]) || !differs(view, pixel, neighbour)) return false;
     const float own = depthOf(view.pixels[pixel]), its = depthOf(view.pixels[neighbour]);
     return own < its || (own == its && pixel < neighbour);
 }

@@ -42,25 +42,39 @@ enum class SeenKind : std::uint8_t {
     cut,  ///< the inside of a building that the camera's section cuts open
 };
 
+/// What is drawn of trees, as numbers in the bits of a pixel.
+enum class TreePart : std::uint8_t {
+    evergreen,  ///< crowns that keep their leaves
+    leafy,      ///< crowns in leaf of trees that lose them
+    trunk,
+    bare,  ///< crowns without leaves: one sees through them
+};
+
 /// What a pixel of a camera shows, packed for a shader.
 struct TracedPixel {
-    float depthM = 0;  ///< along the camera's forward direction; without meaning for the sky
+    /// Along the camera's forward direction; without meaning for the sky. Negative: seen through a bare
+    /// crown.
+    float depthM = 0;
     /// Bits 0 to 23: x, y and z of the unit normal, which faces the eye, from -1 to 1 as 0 to 254. Bits 24
-    /// and 25: the kind. Bit 26: an edge, see isEdge(). Bit 27: in the sun of TracedSpace. Bit 28: a marked
-    /// building of TracedSpace. Bit 29: in the shade of crowns, dense, or with bit 27 light. Bit 30 is set,
-    /// so that the bits are those of an ordinary float, which textures hold.
+    /// and 25: the kind, or with bit 31 the part of a tree. Bit 26: an edge, see isEdge(). Bit 27: in the sun
+    /// of TracedSpace. Bit 28: a marked building of TracedSpace. Bit 29: in the shade of crowns, dense, or
+    /// with bit 27 light. Bit 30 is set, so that the bits are those of an ordinary float, which textures
+    /// hold.
     std::uint32_t bits = 0;
 
     static constexpr unsigned kindShift = 24, edgeBit = 26, sunBit = 27, markedBit = 28, crownBit = 29;
+    static constexpr std::uint32_t tree = 1U << 31;
     static constexpr std::uint32_t ordinary = 1U << 30;
     static constexpr std::uint32_t bitsOf(SeenKind kind) { return std::uint32_t(kind) << kindShift; }
     static constexpr std::uint32_t sky = 0x7f7f7fU;                            ///< normal (0, 0, 0)
     static constexpr std::uint32_t levelGround = 0xfe7f7fU | 1U << kindShift;  ///< normal (0, 0, 1)
 };
-SeenKind kindOf(TracedPixel pixel);
+SeenKind kindOf(TracedPixel pixel);                     ///< building for trees
+std::optional<TreePart> treePartOf(TracedPixel pixel);  ///< none: not of a tree
+bool isBehindBareCrown(TracedPixel pixel);
 glm::vec3 normalOf(TracedPixel pixel);  ///< to 0.5 degrees
 /// Whether a neighbour shows another building, another side of it, or nothing of it, and lies farther away.
-/// Ground has no edges of its own.
+/// Ground and trees have no edges of their own.
 bool isEdge(TracedPixel pixel);
 bool isInSun(TracedPixel pixel);
 bool isUnderCrown(TracedPixel pixel);  ///< of pixels in the sun: light shade
@@ -71,8 +85,14 @@ struct TracedView {
     int widthPx = 0;
     int heightPx = 0;
     std::vector<TracedPixel> pixels;  ///< row 0 is the TOP
-    std::vector<std::uint32_t> hits;  ///< of each pixel, as HitPacket::hit
+    std::vector<std::uint32_t> hits;  ///< of each pixel, as HitPacket::hit; `nothing` for trees
     std::vector<std::uint8_t> edges;  ///< of each pixel, 1: isEdge()
+};
+
+/// Some of the trees in a picture.
+struct TracedTrees {
+    RayScene scene;
+    TreePart part;
 };
 
 /// What is traced, and how far.
@@ -92,8 +112,8 @@ struct TracedSpace {
     std::span<const std::uint8_t> marked{};
     /// A unit vector: finds which pixels are in the sun. Hidden buildings cast shadows, too.
     std::optional<glm::vec3> towardsSun{};
-    /// Crowns between the pixels and the sun: of trees in leaf, and of those without leaves.
-    std::span<const RayScene> denseCrowns{}, lightCrowns{};
+    /// Trees between the eye and the city. Their crowns throw shade, bare ones a light one; trunks do not.
+    std::span<const TracedTrees> trees{};
 };
 
 /// Traces one ray through the centre of each pixel, and one from there to the sun. `camera` in range (see

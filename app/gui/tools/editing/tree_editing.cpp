@@ -408,6 +408,7 @@ void TreeEditing::showDraggedShade() {
     CrownRays all = *others_;
     const auto join = [](auto& to, const auto& more) { to.insert(to.end(), more.begin(), more.end()); };
     join(all.evergreen, (*rays)->evergreen);
+    join(all.trunks, (*rays)->trunks);
     join(all.losingLeaves, (*rays)->losingLeaves);
     context_.panel.view().showTrees(others_->trees, std::make_shared<const CrownRays>(std::move(all)));
 }

@@ -220,29 +220,87 @@ TEST(TracedView, ShadowsAreWhereTheSunIsHidden) {
     EXPECT_FALSE(isInSun(without.pixels[box.pixelOf({0, -20, 0})])) << "no sun was asked for";
 }
 
+std::vector<TracedTrees> treesOf(const Box3& box, TreePart part) {
+    return {{RayScene::over(cityOf({box})).value(), part}};
+}
+
 // A crown in the shape of a box, 30 to 40 m east and 10 to 20 m high: with the sun at 45 degrees in the west
 // its shade lies from 40 to 60 m east, that of the box from 10 to 30.
 TEST(TracedView, CrownsShadeWhatBuildingsLeaveInTheSun) {
     OneBox scene;
     scene.camera = makeCamera({0, 0, 200}, {0, 0, 0}, 40, width, height);
-    const std::vector crowns{RayScene::over(cityOf({{{30, -10, 10}, {40, 10, 20}}})).value()};
-    TracedSpace space{.towardsSun = glm::normalize(glm::vec3(-1, 0, 1))};
+    const auto traced = [&](TreePart part) {
+        const auto trees = treesOf({{30, -10, 10}, {40, 10, 20}}, part);
+        return trace(scene.city, scene.camera,
+                     {.towardsSun = glm::normalize(glm::vec3(-1, 0, 1)), .trees = trees});
+    };
     const auto at = [&](const TracedView& view, glm::dvec3 point) {
         return view.pixels[scene.pixelOf(point)];
     };
     const glm::dvec3 shaded{50, 0, 0}, open{-40, 0, 0}, behindTheHouse{20, 0, 0};
-    space.denseCrowns = crowns;
-    const TracedView dense = trace(scene.city, scene.camera, space);
-    EXPECT_TRUE(isUnderCrown(at(dense, shaded)));
-    EXPECT_FALSE(isInSun(at(dense, shaded)));
-    EXPECT_TRUE(isInSun(at(dense, open)));
-    EXPECT_FALSE(isUnderCrown(at(dense, open)));
-    EXPECT_FALSE(isUnderCrown(at(dense, behindTheHouse))) << "in full shadow";
-    space.denseCrowns = {};
-    space.lightCrowns = crowns;
-    const TracedView light = trace(scene.city, scene.camera, space);
+    for (const TreePart part : {TreePart::evergreen, TreePart::leafy}) {
+        const TracedView dense = traced(part);
+        EXPECT_TRUE(isUnderCrown(at(dense, shaded)));
+        EXPECT_FALSE(isInSun(at(dense, shaded)));
+        EXPECT_TRUE(isInSun(at(dense, open)));
+        EXPECT_FALSE(isUnderCrown(at(dense, open)));
+        EXPECT_FALSE(isUnderCrown(at(dense, behindTheHouse))) << "in full shadow";
+    }
+    const TracedView light = traced(TreePart::bare);
     EXPECT_TRUE(isUnderCrown(at(light, shaded)));
     EXPECT_TRUE(isInSun(at(light, shaded)));
+    const TracedView trunk = traced(TreePart::trunk);
+    EXPECT_FALSE(isUnderCrown(at(trunk, shaded)));
+    EXPECT_TRUE(isInSun(at(trunk, shaded)));
+}
+
+// A crown of 10 m to the south of the box covers the middle of its facade.
+TEST(TracedView, TreesHideWhatIsBehindThem) {
+    const OneBox scene;
+    const TracedView without = trace(scene.city, scene.camera, {});
+    const std::size_t pixel = scene.pixelOf({0, -35, 15});
+    ASSERT_EQ(kindOf(without.pixels[pixel]), SeenKind::building);
+    for (const TreePart part : {TreePart::evergreen, TreePart::leafy, TreePart::trunk}) {
+        const auto trees = treesOf({{-5, -35, 5}, {5, -25, 20}}, part);
+        const TracedView view = trace(scene.city, scene.camera, {.trees = trees});
+        EXPECT_EQ(treePartOf(view.pixels[pixel]), part);
+        EXPECT_NEAR(placeOf(scene.camera, view, pixel).y, -35, 0.01);
+        EXPECT_GT(glm::dot(normalOf(view.pixels[pixel]), glm::vec3(0, -1, 0)), 0.999F);
+        EXPECT_FALSE(isBehindBareCrown(view.pixels[pixel]));
+        std::size_t seen = 0;
+        for (std::size_t i = 0; i < view.pixels.size(); ++i) {
+            if (!treePartOf(view.pixels[i])) {
+                EXPECT_EQ(view.pixels[i].depthM, without.pixels[i].depthM) << i;
+                continue;
+            }
+            ++seen;
+            EXPECT_FALSE(isEdge(view.pixels[i])) << i;
+            EXPECT_LT(view.pixels[i].depthM, without.pixels[i].depthM) << i;
+        }
+        EXPECT_GT(seen, 20U);
+    }
+}
+
+TEST(TracedView, BuildingsHideTheTreesBehindThem) {
+    const OneBox scene;
+    const auto trees = treesOf({{-5, 20, 0}, {5, 30, 10}}, TreePart::leafy);
+    const TracedView view = trace(scene.city, scene.camera, {.trees = trees});
+    EXPECT_EQ(treePartOf(view.pixels[scene.pixelOf({0, -10, 10})]), std::nullopt);
+}
+
+TEST(TracedView, BareCrownsAreSeenThrough) {
+    const OneBox scene;
+    auto trees = treesOf({{-5, -35, 5}, {5, -25, 20}}, TreePart::bare);
+    trees.push_back(treesOf({{-1, -31, 0}, {1, -29, 12}}, TreePart::trunk)[0]);
+    const TracedView view = trace(scene.city, scene.camera, {.trees = trees});
+    const TracedView without = trace(scene.city, scene.camera, {});
+    const std::size_t facade = scene.pixelOf({3, -35, 15}), trunk = scene.pixelOf({0, -31, 8});
+    EXPECT_TRUE(isBehindBareCrown(view.pixels[facade]));
+    EXPECT_EQ(view.pixels[facade].depthM, -without.pixels[facade].depthM);
+    EXPECT_EQ(view.pixels[facade].bits, without.pixels[facade].bits);
+    EXPECT_TRUE(isBehindBareCrown(view.pixels[trunk])) << "within the crown";
+    EXPECT_EQ(treePartOf(view.pixels[trunk]), TreePart::trunk);
+    EXPECT_FALSE(isBehindBareCrown(view.pixels[scene.pixelOf({-9, -10, 2})])) << "beside it";
 }
 
 TEST(TracedView, IsTheSameOnEveryInstructionSet) {
