@@ -158,46 +158,51 @@ std::optional<TreeHit> pickTree(const std::vector<Tree>& trees, const ViewRay& r
 
 namespace {
 
-// All of them as one building: which a ray meets does not matter.
-Result<std::vector<RayScene>> makeScene(TriangleMesh bodies, const std::stop_token& stop) {
-    if (bodies.triangles.empty()) return std::vector<RayScene>{};
-    Part part;
-    for (const glm::vec3& vertex : bodies.vertices) part.topM = std::max(part.topM, vertex.z);
-    part.mesh = std::make_shared<const TriangleMesh>(std::move(bodies));
-    Building all;
-    all.parts.push_back(std::move(part));
-    City city;
-    city.buildings.push_back(std::make_shared<const Building>(std::move(all)));
-    return RayScene::over(city, stop).map([](RayScene scene) { return std::vector{std::move(scene)}; });
+// The first groups of a scene of trees; those of trees that lose their leaves follow, by season.
+constexpr std::uint32_t evergreenGroup = 0, trunkGroup = 1, firstSeason = 2;
+
+Crown trunkOf(const Tree& tree, const Crown& crown) {
+    Crown trunk = crown;
+    trunk.shape = CrownShape::cylinder;
+    trunk.radiusM = double(trunkShare * tree.heightM) / 2;
+    trunk.bottomM = tree.groundM;
+    trunk.topM = (crown.bottomM + crown.topM) / 2;
+    return trunk;
 }
 
 }  // namespace
 
 Result<std::shared_ptr<const CrownRays>> makeCrownRays(std::shared_ptr<const Trees> trees,
                                                        const std::stop_token& stop) {
-    Bodies bodies = makeBodies(*trees);
-    auto evergreen = makeScene(std::move(bodies.evergreen), stop);
-    if (!evergreen) return tl::make_unexpected(evergreen.error());
-    auto trunks = makeScene(std::move(bodies.trunks), stop);
-    if (!trunks) return tl::make_unexpected(trunks.error());
-    CrownRays rays{std::move(trees), *std::move(evergreen), *std::move(trunks), {}};
-    for (Bodies::Season& season : bodies.seasons) {
-        auto losing = makeScene(std::move(season.leafy), stop);
-        if (!losing) return tl::make_unexpected(losing.error());
-        for (RayScene& crowns : *losing) rays.losingLeaves.push_back({season.days, std::move(crowns)});
+    LeafSeasons seasons(trees->leafDays);
+    std::vector<GroupedCrown> bodies;
+    for (const Tree& tree : trees->trees) {
+        const Crown crown = makeCrown(tree);
+        bodies.push_back({crown, tree.evergreen ? evergreenGroup : firstSeason + seasons.add(tree)});
+        bodies.push_back({trunkOf(tree, crown), trunkGroup});
     }
-    return std::make_shared<const CrownRays>(std::move(rays));
+    auto scene = RayScene::over(std::move(bodies), stop);
+    if (!scene) return tl::make_unexpected(scene.error());
+    return std::make_shared<const CrownRays>(
+        CrownRays{std::move(trees), {{*std::move(scene), seasons.days()}}});
+}
+
+CrownMeshes makeCrownMeshes(const Trees& trees) {
+    Bodies bodies = makeBodies(trees);
+    CrownMeshes meshes{std::move(bodies.evergreen), {}};
+    for (Bodies::Season& season : bodies.seasons)
+        meshes.losingLeaves.push_back({season.days, std::move(season.leafy)});
+    return meshes;
 }
 
 std::vector<TracedTrees> listTraced(const CrownRays& rays, int dayOfYear) {
     std::vector<TracedTrees> traced;
-    const auto add = [&traced](const std::vector<RayScene>& scenes, TreePart part) {
-        for (const RayScene& scene : scenes) traced.push_back({scene, part});
-    };
-    add(rays.evergreen, TreePart::evergreen);
-    add(rays.trunks, TreePart::trunk);
-    for (const CrownRays::Losing& losing : rays.losingLeaves)
-        add({losing.crowns}, losing.days.inLeafOn(dayOfYear) ? TreePart::leafy : TreePart::bare);
+    for (const CrownRays::Scene& scene : rays.scenes) {
+        std::vector<TreePart> parts{TreePart::evergreen, TreePart::trunk};
+        for (const LeafDays& days : scene.seasons)
+            parts.push_back(days.inLeafOn(dayOfYear) ? TreePart::leafy : TreePart::bare);
+        traced.push_back({scene.bodies, std::move(parts)});
+    }
     return traced;
 }
 

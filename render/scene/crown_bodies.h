@@ -29,19 +29,29 @@ std::optional<TreeHit> pickTree(const std::vector<Tree>& trees, const ViewRay& r
 /// Trees as rays meet them, from the eye and towards the sun.
 struct CrownRays {
     std::shared_ptr<const Trees> trees;  ///< of which they are; not null
-    /// Any number, which are drawn as one.
-    std::vector<RayScene> evergreen, trunks;
-    struct Losing {
-        LeafDays days;
-        RayScene crowns;
+    struct Scene {
+        RayScene bodies;
+        std::vector<LeafDays> seasons;  ///< of the scene's groups after those of evergreens and trunks
     };
-    std::vector<Losing> losingLeaves;
+    std::vector<Scene> scenes;  ///< any number, which are drawn as one
 };
 /// What is traced of them on this day of the year, 1 to 366.
 std::vector<TracedTrees> listTraced(const CrownRays& rays, int dayOfYear);
-/// About 1 s for 100,000 trees. Error if memory runs out; cancelled() soon after a stop request.
+/// About 0.1 s for 100,000 trees. Error if memory runs out; cancelled() soon after a stop request.
 Result<std::shared_ptr<const CrownRays>> makeCrownRays(std::shared_ptr<const Trees> trees,
                                                        const std::stop_token& stop);
+
+/// The crowns of trees as closed bodies.
+struct CrownMeshes {
+    TriangleMesh evergreen;
+    /// Of trees that lose their leaves on equal days.
+    struct Losing {
+        LeafDays days;
+        TriangleMesh crowns;
+    };
+    std::vector<Losing> losingLeaves;
+};
+CrownMeshes makeCrownMeshes(const Trees& trees);
 
 /// What the parts of trees are drawn in.
 struct CrownColours {

@@ -130,8 +130,9 @@ Qt3DRender::QAbstractTexture* makeTexture(const SurfacePicture& picture, Qt3DCor
                                       picture.camera.heightPx, parent));
 }
 
-Qt3DRender::QAbstractTexture* makeTexture(const SunDepthMap& map, Qt3DCore::QNode* parent) {
-    return unfiltered(makeByteTexture(bytesOf(map.depth), PixelKind::depths, map.size, map.size, parent));
+Qt3DRender::QAbstractTexture* makeDepthTexture(const std::vector<float>& depths, int size,
+                                               Qt3DCore::QNode* parent) {
+    return unfiltered(makeByteTexture(bytesOf(depths), PixelKind::depths, size, size, parent));
 }
 
 Qt3DRender::QAbstractTexture* makeTexture(const TracedView& view, Qt3DCore::QNode* parent) {

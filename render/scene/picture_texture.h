@@ -19,7 +19,6 @@ Qt3DRender::QAbstractTexture* makeByteTexture(const QByteArray& pixels, PixelKin
 /// Replaces all pixels; size and kind stay. A new texture for each frame would cost its memory each time.
 void replaceBytes(Qt3DRender::QAbstractTexture& texture, const QByteArray& pixels, PixelKind kind);
 
-struct SunDepthMap;
 struct TracedView;
 
 /// Makes a texture of a picture; its first row is at v = 0. Cells are sharp at close range and averaged at a
@@ -29,8 +28,9 @@ Qt3DRender::QAbstractTexture* makeTexture(const GroundPicture& picture, Qt3DCore
 /// A texture of unfiltered samples, which the shaders look up one by one.
 Qt3DRender::QAbstractTexture* makeTexture(const SurfacePicture& picture, Qt3DCore::QNode* parent);
 
-/// Heights towards the sun, looked up one by one.
-Qt3DRender::QAbstractTexture* makeTexture(const SunDepthMap& map, Qt3DCore::QNode* parent);
+/// Heights towards the sun, `size` x `size`, looked up one by one.
+Qt3DRender::QAbstractTexture* makeDepthTexture(const std::vector<float>& depths, int size,
+                                               Qt3DCore::QNode* parent);
 
 /// What rays found, looked up one by one; the first row is the top of the picture.
 Qt3DRender::QAbstractTexture* makeTexture(const TracedView& view, Qt3DCore::QNode* parent);

@@ -5,6 +5,7 @@
 #include <QVector4D>
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "render/scene/picture_texture.h"
 #include "render/scene/qt_vectors.h"
@@ -87,15 +88,21 @@ void SunLayer::set(const char* uniform, const QVariant& value) {
     for (ShaderMaterial* material : materials_) material->set(QString::fromLatin1(uniform), value);
 }
 
-void SunLayer::layTexture(const SunDepthMap& map) {
-    Qt3DRender::QAbstractTexture* texture = makeTexture(map, parent_);
-    set("sunDepth", QVariant::fromValue(texture));
-    delete texture_;
-    texture_ = texture;
+void SunLayer::layDepths(const QString& uniform, const std::vector<float>& depths, int size) {
+    Qt3DRender::QAbstractTexture* texture = makeDepthTexture(depths, size, parent_);
+    for (ShaderMaterial* material : materials_) material->set(uniform, QVariant::fromValue(texture));
+    delete std::exchange(textures_[uniform], texture);
+}
+
+void SunLayer::layCrowns(const QString& uniform, const std::vector<float>& depths, int size) {
+    if (!depths.empty()) layDepths(uniform, depths, size);
+    for (ShaderMaterial* material : materials_) material->include(uniform.toUpper(), !depths.empty());
 }
 
 void SunLayer::show(const SunDepthMap& map) {
-    layTexture(map);
+    layDepths(QStringLiteral("sunDepth"), map.depth, map.size);
+    layCrowns(QStringLiteral("crownDepth"), map.crowns, map.size);
+    layCrowns(QStringLiteral("bareCrownDepth"), map.bareCrowns, map.size);
     set("sunDirection", QVector3D(float(map.towardsSun.x), float(map.towardsSun.y), float(map.towardsSun.z)));
     set("sunColumn", numbersOf(map.column));
     set("sunRow", numbersOf(map.row));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QHash>
+#include <QString>
 #include <glm/vec4.hpp>
 #include <vector>
 
@@ -58,11 +60,12 @@ public:
 
 private:
     void set(const char* uniform, const QVariant& value);
-    void layTexture(const SunDepthMap& map);
+    void layDepths(const QString& uniform, const std::vector<float>& depths, int size);
+    void layCrowns(const QString& uniform, const std::vector<float>& depths, int size);
 
     std::vector<ShaderMaterial*> materials_;
     Qt3DCore::QNode* parent_;
-    Qt3DCore::QNode* texture_ = nullptr;
+    QHash<QString, Qt3DCore::QNode*> textures_;  ///< by uniform
     bool shown_ = false;
 };
 

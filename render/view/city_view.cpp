@@ -203,6 +203,7 @@ void CityView::setTreeDay(int dayOfYear) {
 void CityView::setTreesVisible(bool visible) {
     for (DrawnCity* city : {&displayed_, &other_}) city->crowns().setVisible(visible);
     refresh();
+    Q_EMIT treesToggled();
 }
 
 void CityView::showFaces(bool shown) {
@@ -326,7 +327,7 @@ void CityView::trace(const ClipRange& clip) {
         if (!city.isTraced()) continue;
         const SideColumns own = beside ? SideColumns{0, int(view.widthPx)} : columns;
         city.traced().trace({pose_, view, clip, section_, own, beside ? columns.first : 0, spacing, isCoarse,
-                             city.crowns().isVisible() ? city.crowns().day() : 0});
+                             treeDayOf(city)});
     }
 }
 

@@ -94,6 +94,7 @@ public:
     void setTreeDay(int dayOfYear);
     void setTreesVisible(bool visible);
     [[nodiscard]] bool showsTrees() const { return displayed_.crowns().isVisible(); }
+    [[nodiscard]] int treeDay() const { return treeDayOf(displayed_); }  ///< 0: no trees are shown
     /// Trees that are chosen or planned, in a colour of their own; drawn as evergreens.
     [[nodiscard]] CrownBodies& markedTrees() { return *markedTrees_; }
     void showLines(const std::vector<GroundLine>& lines);
@@ -140,12 +141,16 @@ Q_SIGNALS:
     void poseChanged();  ///< also emitted when the size of the view or the layout of its sides changes
     void sectionChanged();
     void tracedChanged();  ///< isTraced() changed
+    void treesToggled();   ///< showsTrees() changed
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void exposeEvent(QExposeEvent* event) override;
 
 private:
+    static int treeDayOf(const DrawnCity& city) {
+        return city.crowns().isVisible() ? city.crowns().day() : 0;
+    }
     [[nodiscard]] QSizeF drawnSize() const;
     [[nodiscard]] double drawnRatio() const;
     void requestPicture(std::function<void(QImage)> done);

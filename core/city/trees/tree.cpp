@@ -97,21 +97,17 @@ double surfaceOfSpheroid(double a, double c) {
     return 2 * pi * a * a * (1 + c / (a * e) * std::asin(e));
 }
 
-/// A part of a ray, in metres from its origin.
-struct RayPart {
-    double from = 0, to = std::numeric_limits<double>::infinity();
-    [[nodiscard]] double length() const { return std::max(0.0, to - from); }
-    void clip(double low, double high) {
-        from = std::max(from, low);
-        to = std::min(to, high);
-    }
-};
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr LinePart nowhere{0, 0};
 
-constexpr RayPart nowhere{0, 0};
+void clip(LinePart& part, double low, double high) {
+    part.enter = std::max(part.enter, low);
+    part.leave = std::min(part.leave, high);
+}
 
 // Scaled to a unit sphere; by the point nearest to its centre, which keeps its digits however far away the
 // origin is.
-RayPart partInEllipsoid(const Crown& crown, glm::dvec3 fromAxis, glm::dvec3 direction) {
+LinePart partInEllipsoid(const Crown& crown, glm::dvec3 fromAxis, glm::dvec3 direction) {
     const double half = (crown.topM - crown.bottomM) / 2;
     const glm::dvec3 scale(1 / crown.radiusM, 1 / crown.radiusM, 1 / half);
     const glm::dvec3 d = direction * scale, o = (fromAxis - glm::dvec3(0, 0, half)) * scale;
@@ -120,23 +116,19 @@ RayPart partInEllipsoid(const Crown& crown, glm::dvec3 fromAxis, glm::dvec3 dire
     const double inside = 1 - glm::dot(offset, offset);
     if (inside <= 0) return nowhere;
     const double reach = std::sqrt(inside / square);
-    RayPart part;
-    part.clip(nearest - reach, nearest + reach);
-    return part;
+    return {nearest - reach, nearest + reach};
 }
 
 // Between the levels of a crown's bottom and top.
-RayPart partInSlab(double heightM, double aboveBottom, double rise) {
-    RayPart part;
-    if (rise > 0)
-        part.clip(-aboveBottom / rise, (heightM - aboveBottom) / rise);
-    else if (aboveBottom < 0 || aboveBottom > heightM)
-        return nowhere;
-    return part;
+LinePart partInSlab(double heightM, double aboveBottom, double rise) {
+    const double atBottom = -aboveBottom / rise, atTop = (heightM - aboveBottom) / rise;
+    if (rise > 0) return {atBottom, atTop};
+    if (rise < 0) return {atTop, atBottom};
+    return aboveBottom < 0 || aboveBottom > heightM ? nowhere : LinePart{-infinity, infinity};
 }
 
-RayPart partInCylinder(const Crown& crown, glm::dvec3 o, glm::dvec3 d) {
-    RayPart part = partInSlab(crown.topM - crown.bottomM, o.z, d.z);
+LinePart partInCylinder(const Crown& crown, glm::dvec3 o, glm::dvec3 d) {
+    LinePart part = partInSlab(crown.topM - crown.bottomM, o.z, d.z);
     const double square = d.x * d.x + d.y * d.y;
     if (square < 1e-24) return std::hypot(o.x, o.y) < crown.radiusM ? part : nowhere;
     const double nearest = -(o.x * d.x + o.y * d.y) / square;
@@ -144,31 +136,34 @@ RayPart partInCylinder(const Crown& crown, glm::dvec3 o, glm::dvec3 d) {
     const double inside = crown.radiusM * crown.radiusM - x * x - y * y;
     if (inside <= 0) return nowhere;
     const double reach = std::sqrt(inside / square);
-    part.clip(nearest - reach, nearest + reach);
+    clip(part, nearest - reach, nearest + reach);
     return part;
 }
 
-// Inside where x2 + y2 <= (slope x depth below the apex)2: a t2 + 2 b t + c <= 0. A ray steeper than the cone
-// is inside up to where it leaves below the apex.
-RayPart partInCone(const Crown& crown, glm::dvec3 o, glm::dvec3 d) {
+// Inside where x2 + y2 <= (slope x depth below the apex)2: a t2 + 2 b t + c <= 0. A line steeper than the
+// cone has one end of its part below the apex, the other in the cone above it, which is none of the crown's.
+LinePart partInCone(const Crown& crown, glm::dvec3 o, glm::dvec3 d) {
     const double heightM = crown.topM - crown.bottomM, slope = crown.radiusM / heightM;
-    RayPart part = partInSlab(heightM, o.z, d.z);
+    LinePart part = partInSlab(heightM, o.z, d.z);
     const double depth = heightM - o.z, square = slope * slope;
     const double a = d.x * d.x + d.y * d.y - square * d.z * d.z;
     const double b = o.x * d.x + o.y * d.y + square * depth * d.z;
     const double c = o.x * o.x + o.y * o.y - square * depth * depth;
     if (std::abs(a) < 1e-12) {
-        if (b > 0) part.clip(-std::numeric_limits<double>::infinity(), -c / (2 * b));
-        if (b < 0) part.clip(-c / (2 * b), std::numeric_limits<double>::infinity());
+        if (b > 0) clip(part, -infinity, -c / (2 * b));
+        if (b < 0) clip(part, -c / (2 * b), infinity);
         return b == 0 && c > 0 ? nowhere : part;
     }
     const double discriminant = b * b - a * c;
     if (a > 0 && discriminant <= 0) return nowhere;
     const double root = std::sqrt(std::max(0.0, discriminant));
+    const double first = (-b - root) / a, second = (-b + root) / a;  // second < first if a < 0
     if (a > 0)
-        part.clip((-b - root) / a, (-b + root) / a);
+        clip(part, first, second);
+    else if (d.z > 0)
+        clip(part, -infinity, second);
     else
-        part.clip(-std::numeric_limits<double>::infinity(), (-b + root) / a);
+        clip(part, first, infinity);
     return part;
 }
 
@@ -202,17 +197,33 @@ Crown makeCrown(const Tree& tree) {
     return crown;
 }
 
-double computeChord(const Crown& crown, glm::dvec3 origin, glm::dvec3 direction) {
+LinePart findLinePart(const Crown& crown, glm::dvec3 origin, glm::dvec3 direction) {
     const glm::dvec3 fromAxis(origin.x - crown.x, origin.y - crown.y, origin.z - crown.bottomM);
     switch (crown.shape) {
         case CrownShape::ellipsoid:
-            return partInEllipsoid(crown, fromAxis, direction).length();
+            return partInEllipsoid(crown, fromAxis, direction);
         case CrownShape::cone:
-            return partInCone(crown, fromAxis, direction).length();
+            return partInCone(crown, fromAxis, direction);
         case CrownShape::cylinder:
-            return partInCylinder(crown, fromAxis, direction).length();
+            return partInCylinder(crown, fromAxis, direction);
     }
-    return 0;
+    return nowhere;
+}
+
+glm::dvec3 normalAt(const Crown& crown, glm::dvec3 point) {
+    const double x = point.x - crown.x, y = point.y - crown.y, heightM = crown.topM - crown.bottomM;
+    const double r = crown.radiusM, half = heightM / 2;
+    if (crown.shape == CrownShape::ellipsoid)
+        return {x / (r * r), y / (r * r), (point.z - crown.bottomM - half) / (half * half)};
+    constexpr double onLevel = 1e-6;  // of the height
+    if (point.z < crown.bottomM + onLevel * heightM) return {0, 0, -1};
+    if (crown.shape == CrownShape::cone) return {x, y, r * r / (heightM * heightM) * (crown.topM - point.z)};
+    return point.z > crown.topM - onLevel * heightM ? glm::dvec3(0, 0, 1) : glm::dvec3(x, y, 0);
+}
+
+double computeChord(const Crown& crown, glm::dvec3 origin, glm::dvec3 direction) {
+    const LinePart part = findLinePart(crown, origin, direction);
+    return std::max(0.0, part.leave - std::max(0.0, part.enter));
 }
 
 }  // namespace noonmark

@@ -147,9 +147,18 @@ Crown makeCrown(const Tree& tree);
 /// (Cauchy).
 double computeMeanChord(CrownShape shape, double radiusM, double heightM);
 
+/// A part of a line, in lengths of its direction from its origin; empty unless `leave` > `enter`.
+struct LinePart {
+    double enter = 0, leave = 0;
+};
+/// The part of a line that lies in the crown. Exact to about 1e-12 of the distance. Some 10 ns.
+LinePart findLinePart(const Crown& crown, glm::dvec3 origin, glm::dvec3 direction);
+
+/// A normal of the crown's surface at a point of it, outward, of any length.
+glm::dvec3 normalAt(const Crown& crown, glm::dvec3 point);
+
 /// Length of the ray's path through the crown, metres, from its origin on: an origin inside the crown has the
-/// rest of the chord only. `direction`: a unit vector that does not point downwards. Exact to about 1e-12 of
-/// the distance. Some 10 ns.
+/// rest of the chord only. `direction`: a unit vector.
 double computeChord(const Crown& crown, glm::dvec3 origin, glm::dvec3 direction);
 
 }  // namespace noonmark

@@ -80,11 +80,14 @@ CasterFaces makeCasterFaces(const City& city, std::span<const std::uint32_t> bui
     });
     CasterFaces all;
     for (const CasterFaces& some : each) append(all, some);
-    if (!city.terrain) return all;
-    FaceList ground;
-    ground.addTriangles(meshOf(*city.terrain), false);
-    append(all, ground.take());
+    if (city.terrain) append(all, makeCasterFaces(meshOf(*city.terrain)));
     return all;
+}
+
+CasterFaces makeCasterFaces(const TriangleMesh& closed) {
+    FaceList list;
+    list.addTriangles(closed, false);
+    return list.take();
 }
 
 namespace {

@@ -33,6 +33,9 @@ struct CasterFaces {
 CasterFaces makeCasterFaces(const City& city, std::span<const std::uint32_t> buildings,
                             const std::stop_token& stop = {});
 
+/// The faces of closed solids.
+CasterFaces makeCasterFaces(const TriangleMesh& closed);
+
 /// The faces of a closed solid that a depth map contains.
 enum class CasterSide {
     /// Faces seen by the sun, as in the paper: lit surfaces lie on their own faces, so a bias is needed.

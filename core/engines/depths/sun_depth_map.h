@@ -28,6 +28,8 @@ struct SunDepthMap {
     double texelM = 0;         ///< the longer side of a texel, metres across the sun's direction
     std::vector<float> depth;  ///< row-major; the height of the surface that shades the points below it;
                                ///< -1e30 where there is none
+    /// The same for crowns in leaf and for bare ones, which take a part of the sun; empty: there are none.
+    std::vector<float> crowns, bareCrowns;
 
     /// Whether the point lies in shadow: something in its texel is closer to the sun by more than `biasM`.
     /// False outside of the map.

@@ -19,6 +19,7 @@
 
 #include "core/base/result.h"
 #include "core/city/city.h"
+#include "core/city/trees/tree.h"
 #include "core/engines/common/sun_packets.h"
 
 namespace noonmark {
@@ -52,6 +53,12 @@ struct alignas(64) HitPacket {
     std::array<std::uint32_t, lanes> hit;      ///< after: index in City::buildings, terrain or nothing
 };
 
+/// A crown or a trunk in a scene of them.
+struct GroupedCrown {
+    Crown crown;
+    std::uint32_t group = 0;  ///< which hits report, as they do a building
+};
+
 /// A city prepared for ray queries: a bounding volume hierarchy over the triangles of buildings and terrain.
 /// Flat ground is not included. Immutable and cheap to copy; queries may run on several threads at the same
 /// time.
@@ -78,6 +85,10 @@ public:
     static Result<RayScene> over(const City& city, std::span<const std::uint32_t> buildings,
                                  std::stop_token stop = {});
 
+    /// Crowns instead of buildings, as exact bodies: rays meet them where they enter. Error and cancelled()
+    /// as above. Some 0.1 s for 100,000.
+    static Result<RayScene> over(std::vector<GroupedCrown> crowns, std::stop_token stop = {});
+
     /// Whether the ray hits anything. `direction` need not have unit length. Some 0.1 us.
     [[nodiscard]] bool occluded(glm::vec3 origin, glm::vec3 direction) const;
 
@@ -91,10 +102,12 @@ public:
 
     /// The first hits of 16 neighbouring rays, from exactly the given origins. Rays whose `distance` is less
     /// than `from` hit nothing. Some 0.02 to 0.04 us per ray.
-    void firstHits(HitPacket& packet) const;
+    /// `groups`: one entry a group of crowns, 1: its crowns are met; empty: all are.
+    void firstHits(HitPacket& packet, std::span<const std::uint8_t> groups = {}) const;
     /// Which of 16 neighbouring rays hit anything between `from` and `distance`: bit k for ray k. Some 0.01
     /// to 0.03 us per ray.
-    [[nodiscard]] std::uint32_t findBlocked(const HitPacket& packet) const;
+    [[nodiscard]] std::uint32_t findBlocked(const HitPacket& packet,
+                                            std::span<const std::uint8_t> groups = {}) const;
 
     /// The first `levels` buildings (1 to maxLevels) on up to 16 neighbouring rays of one direction (unit
     /// length), nearest first, without hits nearer than `nearestHitM`: occluders[ray * levels + k], with

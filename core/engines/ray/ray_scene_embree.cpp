@@ -19,6 +19,7 @@ namespace {
 
 constexpr unsigned terrainId = 0;
 constexpr unsigned buildingsId = 1;
+constexpr unsigned crownsId = 2;
 // Ignores a user's Embree settings file, which must not change a reference. Tests set an instruction set
 // ("sse4.2", "avx2") to run the code paths of other machines.
 std::string deviceConfig() {
@@ -80,12 +81,16 @@ CityMesh meshOfSome(const City& city, std::span<const std::uint32_t> buildings, 
     return mesh;
 }
 
-RTCIntersectContext coherentContext() {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    return context;
-}
+/// What a query says to its callbacks.
+struct QueryContext : RTCIntersectContext {
+    std::span<const std::uint8_t> groups;  ///< see RayScene::firstHits()
+
+    explicit QueryContext(std::span<const std::uint8_t> met = {}) : groups(met) {
+        rtcInitIntersectContext(this);
+        flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;  // 1.5 times as fast for similar directions
+    }
+    [[nodiscard]] bool meets(std::uint32_t group) const { return groups.empty() || groups[group] != 0; }
+};
 
 RTCRay rayFrom(glm::vec3 origin, glm::vec3 direction) {
     RTCRay ray{};
@@ -127,6 +132,85 @@ std::uint32_t blockedOf(const RTCRay16& rays, unsigned count) {
     return blocked;
 }
 
+const GroupedCrown& crownOf(const void* crowns, unsigned index) {
+    return static_cast<const GroupedCrown*>(crowns)[index];
+}
+
+bool meets(const RTCIntersectContext* context, const GroupedCrown& crown) {
+    return static_cast<const QueryContext*>(context)->meets(crown.group);
+}
+
+void boundCrown(const RTCBoundsFunctionArguments* arguments) {
+    constexpr double margin = 0.001;  // rays are float32
+    const Crown& crown = crownOf(arguments->geometryUserPtr, arguments->primID).crown;
+    const double reach = crown.radiusM + margin;
+    RTCBounds& bounds = *arguments->bounds_o;
+    bounds.lower_x = float(crown.x - reach), bounds.upper_x = float(crown.x + reach);
+    bounds.lower_y = float(crown.y - reach), bounds.upper_y = float(crown.y + reach);
+    bounds.lower_z = float(crown.bottomM - margin), bounds.upper_z = float(crown.topM + margin);
+}
+
+struct LineOfRay {
+    glm::dvec3 origin, direction;
+    LineOfRay(RTCRayN* rays, unsigned count, unsigned lane)
+        : origin(RTCRayN_org_x(rays, count, lane), RTCRayN_org_y(rays, count, lane),
+                 RTCRayN_org_z(rays, count, lane)),
+          direction(RTCRayN_dir_x(rays, count, lane), RTCRayN_dir_y(rays, count, lane),
+                    RTCRayN_dir_z(rays, count, lane)) {}
+};
+
+void meetCrown(const RTCIntersectFunctionNArguments* arguments) {
+    const GroupedCrown& some = crownOf(arguments->geometryUserPtr, arguments->primID);
+    if (!meets(arguments->context, some)) return;
+    const unsigned count = arguments->N;
+    RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, count);
+    RTCHitN* hits = RTCRayHitN_HitN(arguments->rayhit, count);
+    for (unsigned lane = 0; lane < count; ++lane) {
+        if (arguments->valid[lane] == 0) continue;
+        const LineOfRay line(rays, count, lane);
+        const LinePart part = findLinePart(some.crown, line.origin, line.direction);
+        float& end = RTCRayN_tfar(rays, count, lane);
+        if (!(part.leave > part.enter) || part.enter < double(RTCRayN_tnear(rays, count, lane)) ||
+            part.enter > double(end))
+            continue;
+        const glm::dvec3 normal = normalAt(some.crown, line.origin + part.enter * line.direction);
+        end = float(part.enter);
+        RTCHitN_Ng_x(hits, count, lane) = float(normal.x);
+        RTCHitN_Ng_y(hits, count, lane) = float(normal.y);
+        RTCHitN_Ng_z(hits, count, lane) = float(normal.z);
+        RTCHitN_primID(hits, count, lane) = arguments->primID;
+        RTCHitN_geomID(hits, count, lane) = crownsId;
+    }
+}
+
+// A ray that begins in a crown is blocked.
+void blockByCrown(const RTCOccludedFunctionNArguments* arguments) {
+    const GroupedCrown& some = crownOf(arguments->geometryUserPtr, arguments->primID);
+    if (!meets(arguments->context, some)) return;
+    const unsigned count = arguments->N;
+    for (unsigned lane = 0; lane < count; ++lane) {
+        if (arguments->valid[lane] == 0) continue;
+        const LineOfRay line(arguments->ray, count, lane);
+        const LinePart part = findLinePart(some.crown, line.origin, line.direction);
+        float& end = RTCRayN_tfar(arguments->ray, count, lane);
+        if (part.leave > part.enter && part.leave > double(RTCRayN_tnear(arguments->ray, count, lane)) &&
+            part.enter < double(end))
+            end = -std::numeric_limits<float>::infinity();
+    }
+}
+
+void attach(RTCDevice device, RTCScene scene, std::vector<GroupedCrown>& crowns) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, unsigned(crowns.size()));
+    rtcSetGeometryUserData(geometry, crowns.data());
+    rtcSetGeometryBoundsFunction(geometry, boundCrown, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, meetCrown);
+    rtcSetGeometryOccludedFunction(geometry, blockByCrown);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, crownsId);
+    rtcReleaseGeometry(geometry);
+}
+
 struct ValidLanes {
     alignas(64) std::array<int, DirectionPacket::capacity> valid{};
 };
@@ -135,7 +219,7 @@ void collectOccluders(const RTCFilterFunctionNArguments* arguments);
 
 /// Collects the buildings that a packet of rays hits. Embree reports hits in no particular order; the filter
 /// keeps the nearest hit of each building.
-struct OccluderContext : RTCIntersectContext {
+struct OccluderContext : QueryContext {
     const std::uint32_t* buildingOfTriangle = nullptr;
     int levels = 0;
     Occluder* occluders = nullptr;  // lane x levels, sorted by distance; 0: free
@@ -143,8 +227,6 @@ struct OccluderContext : RTCIntersectContext {
     explicit OccluderContext(const std::vector<std::uint32_t>& buildings, int levelCount,
                              std::span<Occluder> out)
         : buildingOfTriangle(buildings.data()), levels(levelCount), occluders(out.data()) {
-        rtcInitIntersectContext(this);
-        flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
         filter = collectOccluders;
     }
 
@@ -191,6 +273,7 @@ struct RayScene::Tree {
     RTCDevice device = rtcNewDevice(deviceConfig().c_str());
     RTCScene scene = device != nullptr ? rtcNewScene(device) : nullptr;
     std::vector<std::uint32_t> buildingOfTriangle;
+    std::vector<GroupedCrown> crowns;  ///< relative to `from`
     std::size_t triangles = 0;
     glm::vec3 from{0};  // point that Embree's coordinates are relative to
 
@@ -216,6 +299,7 @@ struct RayScene::Tree {
 
     [[nodiscard]] std::uint32_t hitOf(unsigned geometry, unsigned triangle) const {
         if (geometry == RTC_INVALID_GEOMETRY_ID) return HitPacket::nothing;
+        if (geometry == crownsId) return crowns[triangle].group;
         return geometry == terrainId ? HitPacket::terrain : buildingOfTriangle[triangle];
     }
 
@@ -233,12 +317,27 @@ struct RayScene::Tree {
         // Robust: rays do not slip between triangles that share an edge, nor through gaps between bounding
         // boxes. A filter of the query, not of the geometry, costs other queries nothing.
         rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
-        rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
         from = originOf(buildings.mesh);
         attach(device, scene, terrainId, terrain, from);
         attach(device, scene, buildingsId, buildings.mesh, from);
         buildingOfTriangle = buildings.buildingOfTriangle;
         triangles = buildings.mesh.triangles.size() + terrain.triangles.size();
+        return commit(stop);
+    }
+
+    bool build(std::vector<GroupedCrown> given, const std::stop_token& stop) {
+        if (device == nullptr || scene == nullptr) return false;
+        crowns = std::move(given);
+        TriangleMesh middles;
+        for (const GroupedCrown& some : crowns) middles.vertices.emplace_back(some.crown.x, some.crown.y, 0);
+        from = originOf(middles);
+        for (GroupedCrown& some : crowns) some.crown.x -= from.x, some.crown.y -= from.y;
+        attach(device, scene, crowns);
+        return commit(stop);
+    }
+
+    bool commit(const std::stop_token& stop) {
+        rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
         std::stop_token watched = stop;
         rtcSetSceneProgressMonitorFunction(scene, shouldContinue, &watched);
         rtcCommitScene(scene);
@@ -246,6 +345,15 @@ struct RayScene::Tree {
         return rtcGetDeviceError(device) == RTC_ERROR_NONE;
     }
 };
+
+namespace {
+
+tl::unexpected<Error> tooLittleMemory(const std::string& bodies) {
+    return failure("There is not enough memory to trace rays through " + bodies, RayScene::backend(),
+                   "Choose a smaller region or close other programs");
+}
+
+}  // namespace
 
 RayScene::RayScene(std::shared_ptr<const Tree> tree) : tree_(std::move(tree)) {}
 
@@ -261,16 +369,21 @@ Result<RayScene> RayScene::over(const City& city, std::span<const std::uint32_t>
     auto tree = std::make_shared<Tree>();
     const bool built = tree->build(mesh, terrain, stop);
     if (stop.stop_requested()) return cancelled();
-    if (!built)
-        return failure(
-            fmt::format("There is not enough memory to trace rays through {} triangles", tree->triangles),
-            backend(), "Choose a smaller region or close other programs");
+    if (!built) return tooLittleMemory(fmt::format("{} triangles", tree->triangles));
+    return RayScene(std::move(tree));
+}
+
+Result<RayScene> RayScene::over(std::vector<GroupedCrown> crowns, std::stop_token stop) {
+    auto tree = std::make_shared<Tree>();
+    const std::size_t count = crowns.size();
+    const bool built = tree->build(std::move(crowns), stop);
+    if (stop.stop_requested()) return cancelled();
+    if (!built) return tooLittleMemory(fmt::format("{} crowns", count));
     return RayScene(std::move(tree));
 }
 
 bool RayScene::occluded(glm::vec3 origin, glm::vec3 direction) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    QueryContext context;
     RTCRay ray = rayFrom(tree_->startOf(origin), direction);
     rtcOccluded1(tree_->scene, &context, &ray);
     return ray.tfar < 0;
@@ -278,10 +391,7 @@ bool RayScene::occluded(glm::vec3 origin, glm::vec3 direction) const {
 
 void RayScene::blockedLanes(std::span<const glm::vec3> origins, const DirectionPacket& directions,
                             std::span<std::uint32_t> blocked) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    // Coherent traversal is 1.5 times as fast for similar directions.
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    QueryContext context;
     const int* valid = validLanes[std::size_t(directions.count)].valid.data();
     RTCRay16 rays = raysAlong(directions);
     for (std::size_t i = 0; i < origins.size(); ++i) {
@@ -292,8 +402,7 @@ void RayScene::blockedLanes(std::span<const glm::vec3> origins, const DirectionP
 }
 
 std::optional<RayHit> RayScene::firstHit(glm::vec3 origin, glm::vec3 direction) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    QueryContext context;
     RTCRayHit found{};
     found.ray = rayFrom(tree_->startOf(origin), direction);
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -307,8 +416,8 @@ std::optional<RayHit> RayScene::firstHit(glm::vec3 origin, glm::vec3 direction) 
     return hit;
 }
 
-void RayScene::firstHits(HitPacket& packet) const {
-    RTCIntersectContext context = coherentContext();
+void RayScene::firstHits(HitPacket& packet, std::span<const std::uint8_t> groups) const {
+    QueryContext context(groups);
     RTCRayHit16 found;
     tree_->aim(packet, found.ray);
     std::ranges::fill(found.hit.geomID, RTC_INVALID_GEOMETRY_ID);
@@ -321,8 +430,8 @@ void RayScene::firstHits(HitPacket& packet) const {
         packet.hit[lane] = tree_->hitOf(found.hit.geomID[lane], found.hit.primID[lane]);
 }
 
-std::uint32_t RayScene::findBlocked(const HitPacket& packet) const {
-    RTCIntersectContext context = coherentContext();
+std::uint32_t RayScene::findBlocked(const HitPacket& packet, std::span<const std::uint8_t> groups) const {
+    QueryContext context(groups);
     RTCRay16 rays;
     tree_->aim(packet, rays);
     rtcOccluded16(validLanes[HitPacket::lanes].valid.data(), tree_->scene, &context, &rays);

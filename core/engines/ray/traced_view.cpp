@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <limits>
 
 namespace noonmark {
@@ -48,7 +50,9 @@ public:
           space_(space),
           view_(view),
           right_(camera.right / samplesPerMetre(camera, 1)),
-          up_(camera.up / samplesPerMetre(camera, 1)) {}
+          up_(camera.up / samplesPerMetre(camera, 1)) {
+        std::ranges::transform(space.trees, std::back_inserter(groups_), groupsOf);
+    }
 
     void traceBlock(int column, int row) const {
         HitPacket packet;
@@ -82,22 +86,48 @@ private:
         std::array<TreePart, HitPacket::lanes> parts{};  ///< of rays in `seen`
     };
 
+    /// Which groups of a scene of trees are what, as RayScene::firstHits() takes them; empty: none is.
+    struct Groups {
+        std::vector<std::uint8_t> solid, leaves, bare;
+    };
+
+    static Groups groupsOf(const TracedTrees& trees) {
+        const auto choose = [&](auto isOne) {
+            std::vector<std::uint8_t> chosen;
+            for (const TreePart part : trees.parts) chosen.push_back(isOne(part) ? 1 : 0);
+            if (std::ranges::find(chosen, 1) == chosen.end()) chosen.clear();
+            return chosen;
+        };
+        const auto isBare = [](TreePart part) { return part == TreePart::bare; };
+        return {choose(std::not_fn(isBare)),
+                choose([&](TreePart part) { return !isBare(part) && part != TreePart::trunk; }),
+                choose(isBare)};
+    }
+
+    [[nodiscard]] std::uint32_t findBlocked(std::vector<std::uint8_t> Groups::*which,
+                                            const HitPacket& packet) const {
+        std::uint32_t blocked = 0;
+        for (std::size_t i = 0; i < space_.trees.size(); ++i)
+            if (const auto& groups = groups_[i].*which; !groups.empty())
+                blocked |= space_.trees[i].scene.findBlocked(packet, groups);
+        return blocked;
+    }
+
     // Ends rays at the trees that they meet before their hits.
     [[nodiscard]] SeenTrees traceTrees(HitPacket& packet) const {
         SeenTrees trees;
-        for (const TracedTrees& some : space_.trees) {
-            if (some.part == TreePart::bare) continue;
+        for (std::size_t i = 0; i < space_.trees.size(); ++i) {
+            if (groups_[i].solid.empty()) continue;
             HitPacket next = packet;
-            some.scene.firstHits(next);
+            space_.trees[i].scene.firstHits(next, groups_[i].solid);
             for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane) {
                 if (next.hit[lane] == HitPacket::nothing) continue;
                 takeLane(packet, next, lane);
                 trees.seen |= 1U << lane;
-                trees.parts[lane] = some.part;
+                trees.parts[lane] = space_.trees[i].parts[next.hit[lane]];
             }
         }
-        for (const TracedTrees& some : space_.trees)
-            if (some.part == TreePart::bare) trees.behindBare |= some.scene.findBlocked(packet);
+        trees.behindBare = findBlocked(&Groups::bare, packet);
         return trees;
     }
 
@@ -122,10 +152,8 @@ private:
         const std::uint32_t facing = turnToSun(*space_.towardsSun, bits.data(), packet);
         if (space_.terrain) liftToTerrain(packet, ground & facing);
         const std::uint32_t lit = facing == 0 ? 0 : facing & ~scene_.findBlocked(packet);
-        std::uint32_t dense = 0, light = 0;
-        for (const TracedTrees& some : space_.trees)
-            if (lit != 0 && some.part != TreePart::trunk)
-                (some.part == TreePart::bare ? light : dense) |= lit & some.scene.findBlocked(packet);
+        const std::uint32_t dense = lit == 0 ? 0 : lit & findBlocked(&Groups::leaves, packet);
+        const std::uint32_t light = lit == 0 ? 0 : lit & ~dense & findBlocked(&Groups::bare, packet);
         for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane) {
             bits[lane] |= ((lit & ~dense) >> lane & 1U) << TracedPixel::sunBit;
             bits[lane] |= ((dense | light) >> lane & 1U) << TracedPixel::crownBit;
@@ -209,6 +237,7 @@ private:
     const PixelCamera& camera_;
     const TracedSpace& space_;
     TracedView& view_;
+    std::vector<Groups> groups_;  // of each of space_.trees
     const glm::vec3 right_, up_;  // one pixel further, at a depth of one metre
 };
 

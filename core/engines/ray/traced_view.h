@@ -89,10 +89,10 @@ struct TracedView {
     std::vector<std::uint8_t> edges;  ///< of each pixel, 1: isEdge()
 };
 
-/// Some of the trees in a picture.
+/// Some of the trees in a picture: a scene of crowns and trunks, and what each of its groups is.
 struct TracedTrees {
     RayScene scene;
-    TreePart part;
+    std::vector<TreePart> parts;
 };
 
 /// What is traced, and how far.

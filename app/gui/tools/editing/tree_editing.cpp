@@ -406,10 +406,7 @@ void TreeEditing::showDraggedShade() {
     const auto rays = makeCrownRays(std::make_shared<const Trees>(std::move(dragged)), {});
     if (!rays) return;
     CrownRays all = *others_;
-    const auto join = [](auto& to, const auto& more) { to.insert(to.end(), more.begin(), more.end()); };
-    join(all.evergreen, (*rays)->evergreen);
-    join(all.trunks, (*rays)->trunks);
-    join(all.losingLeaves, (*rays)->losingLeaves);
+    all.scenes.insert(all.scenes.end(), (*rays)->scenes.begin(), (*rays)->scenes.end());
     context_.panel.view().showTrees(others_->trees, std::make_shared<const CrownRays>(std::move(all)));
 }
 

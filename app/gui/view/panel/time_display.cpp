@@ -82,6 +82,7 @@ void TimeDisplay::connectView() {
     });
     connect(rest_, &QTimer::timeout, this, &TimeDisplay::drawShadow);
     connect(&panel_.view(), &CityView::tracedChanged, this, &TimeDisplay::showSun);
+    connect(&panel_.view(), &CityView::treesToggled, this, &TimeDisplay::showSun);
     connect(&panel_.view(), &CityView::poseChanged, this, &TimeDisplay::freeLabel);
     connect(&panel_.view(), &CityView::poseChanged, this, [this] {
         if (showsMoment() && !panel_.view().isTraced()) followCamera();
@@ -237,7 +238,7 @@ void TimeDisplay::showSun() {
     const bool traced = view.isTraced();
     view.showTracedSun(traced && visible ? std::optional(glm::normalize(sun_.towards)) : std::nullopt);
     if (!visible || traced) return lookFrom(std::nullopt);
-    lookFrom(SunView{glm::normalize(sun_.towards), seenSpace(), movingSize});
+    lookFrom(SunView{glm::normalize(sun_.towards), seenSpace(), movingSize, view.treeDay()});
     rest_->start();
 }
 
@@ -245,7 +246,8 @@ void TimeDisplay::showSunFrom(const glm::dvec3& towards, std::function<void()> t
     rest_->stop();
     const bool traced = panel_.view().isTraced();
     panel_.view().showTracedSun(traced ? std::optional(glm::normalize(towards)) : std::nullopt);
-    if (!traced) lookFrom(SunView{glm::normalize(towards), seenSpace(), restingSize});
+    if (!traced)
+        lookFrom(SunView{glm::normalize(towards), seenSpace(), restingSize, panel_.view().treeDay()});
     awaitShadow(then);
 }
 
@@ -257,7 +259,7 @@ void TimeDisplay::awaitShadow(const std::function<void()>& then) {
 
 void TimeDisplay::drawShadow() {
     if (showsMoment() && !panel_.time().playing() && sun_.towards.z > lowestSunZ)
-        lookFrom(SunView{glm::normalize(sun_.towards), seenSpace(), restingSize});
+        lookFrom(SunView{glm::normalize(sun_.towards), seenSpace(), restingSize, panel_.view().treeDay()});
 }
 
 // Finely where it rests. Ground that comes into sight before has coarse shadow, not none; twice as much of it
@@ -271,7 +273,7 @@ void TimeDisplay::followCamera() {
     const Box2& city = panel_.view().viewBounds().box;
     seen.box.low = glm::max(seen.box.low - margin, city.low);
     seen.box.high = glm::min(seen.box.high + margin, city.high);
-    lookFrom(SunView{drawn->towardsSun, seen, movingSize});
+    lookFrom(SunView{drawn->towardsSun, seen, movingSize, panel_.view().treeDay()});
 }
 
 void TimeDisplay::lookFrom(const std::optional<SunView>& view) {

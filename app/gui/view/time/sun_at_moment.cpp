@@ -3,19 +3,53 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/sun/civil_time.h"
 #include "core/sun/sun_paths.h"
+#include "render/scene/crown_bodies.h"
 
 namespace noonmark {
 
+/// What casts shadow at any moment.
+struct MomentCasters {
+    CasterFaces city;
+    /// Crowns that are in leaf on the same days; none: always.
+    struct Crowns {
+        std::optional<LeafDays> days;
+        CasterFaces faces;
+    };
+    std::vector<Crowns> crowns;
+};
+
 namespace {
 
-std::shared_ptr<const CasterFaces> facesOf(const City& city, const std::stop_token& stop) {
+std::shared_ptr<const MomentCasters> listCasters(const City& city, const std::stop_token& stop) {
     std::vector<std::uint32_t> all(city.buildings.size());
     std::iota(all.begin(), all.end(), 0U);
-    return std::make_shared<const CasterFaces>(makeCasterFaces(city, all, stop));
+    MomentCasters casters{makeCasterFaces(city, all, stop), {}};
+    if (!city.trees || stop.stop_requested())
+        return std::make_shared<const MomentCasters>(std::move(casters));
+    const CrownMeshes meshes = makeCrownMeshes(*city.trees);
+    casters.crowns.push_back({std::nullopt, makeCasterFaces(meshes.evergreen)});
+    for (const CrownMeshes::Losing& losing : meshes.losingLeaves)
+        casters.crowns.push_back({losing.days, makeCasterFaces(losing.crowns)});
+    return std::make_shared<const MomentCasters>(std::move(casters));
+}
+
+// Maps of one view have equal texels.
+void addCrowns(const MomentCasters& casters, const SunView& view, const std::stop_token& stop,
+               SunDepthMap& map) {
+    for (const MomentCasters::Crowns& some : casters.crowns) {
+        if (some.faces.faces.empty()) continue;
+        const bool isBare = some.days && !some.days->inLeafOn(view.treeDay);
+        const SunDepthMap own = drawSunDepths(some.faces, view.towardsSun, view.space, view.size, stop);
+        std::vector<float>& depth = isBare ? map.bareCrowns : map.crowns;
+        if (depth.empty()) depth.assign(own.depth.size(), std::numeric_limits<float>::lowest());
+        std::ranges::transform(depth, own.depth, depth.begin(),
+                               [](float a, float b) { return std::max(a, b); });
+    }
 }
 
 }  // namespace
@@ -24,7 +58,7 @@ void SunShadow::setCity(std::shared_ptr<const City> city) {
     if (city == city_) return;
     slot_.drop();
     city_ = std::move(city);
-    faces_.reset();
+    casters_.reset();
     ask();
 }
 
@@ -47,13 +81,15 @@ void SunShadow::ask() {
     waiting_ = false;
     slot_.start<Drawn>(
         tr("Drawing the shadow"),
-        [city = city_, faces = faces_, view = *view_](Progress&,
-                                                      const std::stop_token& stop) -> Result<Drawn> {
-            Drawn drawn{faces ? faces : facesOf(*city, stop), nullptr};
+        [city = city_, casters = casters_, view = *view_](Progress&,
+                                                          const std::stop_token& stop) -> Result<Drawn> {
+            Drawn drawn{casters ? casters : listCasters(*city, stop), nullptr};
             if (stop.stop_requested()) return cancelled();
-            drawn.map = std::make_shared<const SunDepthMap>(
-                drawSunDepths(*drawn.faces, view.towardsSun, view.space, view.size, stop));
+            SunDepthMap map =
+                drawSunDepths(drawn.casters->city, view.towardsSun, view.space, view.size, stop);
+            if (view.treeDay > 0) addCrowns(*drawn.casters, view, stop, map);
             if (stop.stop_requested()) return cancelled();
+            drawn.map = std::make_shared<const SunDepthMap>(std::move(map));
             return drawn;
         },
         [this](const Result<Drawn>& drawn) { take(drawn); });
@@ -61,7 +97,7 @@ void SunShadow::ask() {
 
 void SunShadow::take(const Result<Drawn>& drawn) {
     if (!drawn || !view_) return;
-    faces_ = drawn->faces;
+    casters_ = drawn->casters;
     map_ = drawn->map;
     Q_EMIT changed();
     if (waiting_) ask();

@@ -17,10 +17,13 @@ struct SunView {
     glm::dvec3 towardsSun{0, 0, 1};  ///< above the horizon
     LitSpace space;
     int size = 1024;  ///< texels a side of the map
+    int treeDay = 0;  ///< day of the year whose leaves trees have; 0: trees cast no shade
 };
 
+struct MomentCasters;
+
 /// Draws the map of a moment's shadow in jobs, one at a time; of the views that arrive meanwhile the newest
-/// is next. The faces of the city are prepared once.
+/// is next. The faces of the city and its crowns are prepared once.
 class SunShadow final : public QObject {
     Q_OBJECT
 public:
@@ -39,14 +42,14 @@ Q_SIGNALS:
 
 private:
     struct Drawn {
-        std::shared_ptr<const CasterFaces> faces;
+        std::shared_ptr<const MomentCasters> casters;
         std::shared_ptr<const SunDepthMap> map;
     };
     void ask();
     void take(const Result<Drawn>& drawn);
 
     std::shared_ptr<const City> city_;
-    std::shared_ptr<const CasterFaces> faces_;  // of city_; null: not prepared yet
+    std::shared_ptr<const MomentCasters> casters_;  // of city_; null: not prepared yet
     std::optional<SunView> view_;
     bool waiting_ = false;  // view_ has changed since the running job began
     std::shared_ptr<const SunDepthMap> map_;

@@ -221,7 +221,7 @@ TEST(TracedView, ShadowsAreWhereTheSunIsHidden) {
 }
 
 std::vector<TracedTrees> treesOf(const Box3& box, TreePart part) {
-    return {{RayScene::over(cityOf({box})).value(), part}};
+    return {{RayScene::over(cityOf({box})).value(), {part}}};
 }
 
 // A crown in the shape of a box, 30 to 40 m east and 10 to 20 m high: with the sun at 45 degrees in the west
