@@ -8,6 +8,11 @@ if(CCACHE)
   endif()
 endif()
 
+# GCC frees memory seldom: it takes 1.9 instead of 1.3 GB for the largest unit, and 12 to 15 % less time.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options("SHELL:--param ggc-min-expand=300" "SHELL:--param ggc-min-heapsize=1000000")
+endif()
+
 add_library(noonmark_flags INTERFACE)
 target_compile_options(noonmark_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                        -Wno-sign-conversion -Wno-float-conversion -Wnon-virtual-dtor -Wno-missing-field-initializers)
@@ -71,13 +76,13 @@ function(noonmark_compile_kernels)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON COMPILE_DEFINITIONS "${definitions}")
 endfunction()
 
-# A unity build compiles neighbouring sources of a target together, about 200 kB of them: their headers and templates, which take most of
+# A unity build compiles neighbouring sources of a target together, about 400 kB of them: their headers and templates, which take most of
 # the time, are compiled once. Names in
 # anonymous namespaces are therefore unique within a target.
 if(CMAKE_UNITY_BUILD)
   target_compile_options(noonmark_flags INTERFACE -Wno-shadow)
 endif()
-set(NOONMARK_UNITY_BYTES 200000)
+set(NOONMARK_UNITY_BYTES 400000)
 
 # Groups the sources of this folder's targets for the unity build. Call it last in a CMakeLists.txt: source properties belong to a folder.
 function(noonmark_group_for_unity)

@@ -90,6 +90,47 @@ TEST(Crown, ChordsOfAnyRayAreTheSumOfItsPieces) {
         }
 }
 
+// Seen from the other end a line has the same part, and its own end before the first one's origin.
+TEST(Crown, LinesOfAllDirectionsHaveTheSamePart) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> place(-9, 9), turn(0, 6.283), up(-1.5, 1.5);
+    int met = 0;
+    for (const CrownShape shape : {CrownShape::ellipsoid, CrownShape::cone, CrownShape::cylinder})
+        for (int i = 0; i < 200; ++i) {
+            const Crown crown = crownOf(shape);
+            const glm::dvec3 origin(3 + place(random) / 2, -2 + place(random) / 2, 8 + place(random));
+            const double azimuth = turn(random), altitude = up(random);
+            const glm::dvec3 direction(std::cos(altitude) * std::sin(azimuth),
+                                       std::cos(altitude) * std::cos(azimuth), std::sin(altitude));
+            const LinePart part = findLinePart(crown, origin, direction);
+            const LinePart back = findLinePart(crown, origin, -direction);
+            ASSERT_EQ(part.leave > part.enter, back.leave > back.enter) << nameOf(shape) << " " << i;
+            if (!(part.leave > part.enter)) continue;
+            ++met;
+            EXPECT_NEAR(part.enter, -back.leave, 1e-9) << nameOf(shape) << " " << i;
+            EXPECT_NEAR(part.leave, -back.enter, 1e-9) << nameOf(shape) << " " << i;
+            // A ray enters against the normal of the surface and leaves along it.
+            EXPECT_LT(glm::dot(normalAt(crown, origin + part.enter * direction), direction), 1e-9) << i;
+            EXPECT_GT(glm::dot(normalAt(crown, origin + part.leave * direction), direction), -1e-9) << i;
+        }
+    EXPECT_GT(met, 100);
+}
+
+// The cone is 7 m wide and 9 m high: its side rises by 9 in 3.5.
+TEST(Crown, NormalsStandOnItsSurface) {
+    const auto normal = [](CrownShape shape, glm::dvec3 point) {
+        return glm::normalize(normalAt(crownOf(shape), point));
+    };
+    EXPECT_NEAR(normal(CrownShape::ellipsoid, {3, -2, 13}).z, 1, 1e-12);
+    EXPECT_NEAR(normal(CrownShape::ellipsoid, {6.5, -2, 8.5}).x, 1, 1e-12);
+    EXPECT_NEAR(normal(CrownShape::cylinder, {4, -2, 13}).z, 1, 1e-12);
+    EXPECT_NEAR(normal(CrownShape::cylinder, {4, -2, 4}).z, -1, 1e-12);
+    EXPECT_NEAR(normal(CrownShape::cylinder, {3, 1.5, 8}).y, 1, 1e-12);
+    EXPECT_NEAR(normal(CrownShape::cone, {4, -2, 4}).z, -1, 1e-12);
+    const glm::dvec3 side = normal(CrownShape::cone, {3 + 1.75, -2, 8.5});
+    EXPECT_NEAR(side.x / side.z, 9 / 3.5, 1e-9);
+}
+
 TEST(Crown, KeepsItsDigitsFarAway) {
     Crown far = crownOf(CrownShape::ellipsoid);
     const glm::dvec3 direction = glm::normalize(glm::dvec3(1, 0, 0.01));

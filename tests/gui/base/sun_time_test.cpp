@@ -128,5 +128,39 @@ TEST(SunShadow, TheNewestViewIsDrawnLast) {
     EXPECT_EQ(shadow.map(), nullptr);
 }
 
+// A tree of 10 m far from the houses, the sun at 45 degrees in the south: 12 m north of it lies the shade of
+// what is 12 m lower, so that of the crown's middle is some 6 m north.
+TEST(SunShadow, TreesShadeTheGroundByTheirLeaves) {
+    City city = test::smallCity();
+    const glm::dvec2 place(150, -150);
+    auto trees = std::make_shared<Trees>();
+    trees->leafDays = {.on = 100, .off = 300};
+    trees->trees.push_back({.place = place, .heightM = 10, .crownBaseM = 2, .crownDiameterM = 8});
+    city.trees = trees;
+    SunShadow shadow;
+    shadow.setCity(std::make_shared<const City>(city));
+    const auto mapOf = [&](int treeDay) {
+        const auto before = shadow.map();
+        shadow.look(
+            SunView{glm::normalize(glm::dvec3(0, -1, 1)), {{{100, -200}, {200, -100}}, 0, 20}, 512, treeDay});
+        EXPECT_TRUE(waitFor([&] { return shadow.map() && shadow.map() != before; }));
+        return shadow.map() ? *shadow.map() : SunDepthMap{};
+    };
+    const auto shades = [](SunDepthMap map, const std::vector<float>& depth, glm::dvec3 point) {
+        if (depth.empty()) return false;
+        map.depth = depth;
+        return map.shades(point, 0.1);
+    };
+    const glm::dvec3 under(place.x, place.y + 6, 0), beside(place.x + 12, place.y + 6, 0);
+    const SunDepthMap summer = mapOf(200), winter = mapOf(10), none = mapOf(0);
+    EXPECT_FALSE(summer.shades(under, 0.1)) << "the map of buildings";
+    EXPECT_TRUE(shades(summer, summer.crowns, under));
+    EXPECT_FALSE(shades(summer, summer.crowns, beside));
+    EXPECT_TRUE(summer.bareCrowns.empty());
+    EXPECT_TRUE(shades(winter, winter.bareCrowns, under));
+    EXPECT_TRUE(winter.crowns.empty());
+    EXPECT_TRUE(none.crowns.empty() && none.bareCrowns.empty());
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -163,6 +163,74 @@ TEST(RayScene, OfNothing) {
 
 // --- Buildings out of reach
 
+Crown crownAt(double x, double y, CrownShape shape) {
+    return {.x = x, .y = y, .bottomM = 3, .topM = 12, .radiusM = 4, .shape = shape};
+}
+
+// Sixteen level rays to the east, one metre apart, at the given height.
+HitPacket levelRays(float x, float z) {
+    HitPacket packet;
+    for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane) {
+        packet.originX[lane] = x, packet.originY[lane] = float(lane) - 8.0F, packet.originZ[lane] = z;
+        packet.directionX[lane] = 1, packet.directionY[lane] = 0, packet.directionZ[lane] = 0;
+        packet.from[lane] = 0, packet.distance[lane] = 1000;
+    }
+    return packet;
+}
+
+TEST(CrownScene, RaysMeetCrownsWhereTheyEnter) {
+    for (const double far : {0.0, 60'000.0}) {
+        const std::vector<GroupedCrown> crowns{{crownAt(far + 20, 0, CrownShape::ellipsoid), 0},
+                                               {crownAt(far + 40, 2, CrownShape::cone), 1},
+                                               {crownAt(far + 60, -2, CrownShape::cylinder), 2}};
+        const RayScene scene = RayScene::over(crowns).value();
+        HitPacket packet = levelRays(float(far), 6.5F);
+        scene.firstHits(packet);
+        std::size_t met = 0;
+        for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane) {
+            double nearest = 1000;
+            std::uint32_t expected = HitPacket::nothing;
+            for (const GroupedCrown& some : crowns) {
+                const LinePart part = findLinePart(some.crown, {far, packet.originY[lane], 6.5}, {1, 0, 0});
+                if (!(part.leave > part.enter) || part.enter >= nearest) continue;
+                nearest = part.enter;
+                expected = some.group;
+            }
+            EXPECT_EQ(packet.hit[lane], expected) << lane;
+            EXPECT_NEAR(packet.distance[lane], nearest, 0.001) << lane;
+            if (expected == HitPacket::nothing) continue;
+            ++met;
+            EXPECT_LT(packet.normalX[lane], 0) << "against the ray";
+        }
+        EXPECT_GE(met, 10U);
+    }
+}
+
+TEST(CrownScene, MeetsOnlyTheGroupsThatAreAskedFor) {
+    const RayScene scene =
+        RayScene::over(std::vector<GroupedCrown>{{crownAt(20, 0, CrownShape::ellipsoid), 0},
+                                                 {crownAt(40, 0, CrownShape::ellipsoid), 1}})
+            .value();
+    constexpr std::size_t middle = 8;
+    const auto hitOf = [&](std::vector<std::uint8_t> groups) {
+        HitPacket packet = levelRays(0, 7.5F);
+        scene.firstHits(packet, groups);
+        return packet.hit[middle];
+    };
+    EXPECT_EQ(hitOf({}), 0U);
+    EXPECT_EQ(hitOf({1, 1}), 0U);
+    EXPECT_EQ(hitOf({0, 1}), 1U);
+    EXPECT_EQ(hitOf({0, 0}), HitPacket::nothing);
+    const std::vector<std::uint8_t> second{0, 1};
+    HitPacket fromBetween = levelRays(30, 7.5F);
+    EXPECT_NE(scene.findBlocked(fromBetween) >> middle & 1U, 0U);
+    EXPECT_NE(scene.findBlocked(fromBetween, second) >> middle & 1U, 0U);
+    const HitPacket fromInside = levelRays(20, 7.5F), fromBehind = levelRays(25, 7.5F);
+    const std::vector<std::uint8_t> first{1, 0};
+    EXPECT_NE(scene.findBlocked(fromInside, first) >> middle & 1U, 0U) << "the rest of the crown";
+    EXPECT_EQ(scene.findBlocked(fromBehind, first), 0U);
+}
+
 TEST(Reach, BuildingsBeyondItChangeNothing) {
     // The engine's result without distant buildings, compared with the same rays against all buildings. At
     // whole metres receivers are in line with walls, and some suns are exactly on an axis: the result must
