@@ -92,7 +92,7 @@ PlaceOfDate placeOfDate(LonLat place) {
             lat + poleX * std::cos(lon) - poleY * std::sin(lon)};
 }
 
-Degrees azimuthOf(const glm::dvec3& eastNorthUp) {
+Degrees computeAzimuth(const glm::dvec3& eastNorthUp) {
     const double azimuth = Radians{std::atan2(eastNorthUp.x, eastNorthUp.y)}.degrees().value;
     const double turned = azimuth < 0 ? azimuth + 360 : azimuth;
     return {turned < 360 ? turned : 0};  // a tiny negative angle rounds to 360
@@ -135,7 +135,7 @@ SolarPosition ObserverFrame::position(const glm::dvec3& apparentSun, Radians rot
     const glm::dvec3 local{sun.y, cosLatitude_ * sun.z - sinLatitude_ * sun.x,
                            cosLatitude_ * sun.x + sinLatitude_ * sun.z};
     const Degrees altitude = altitudeOf(local);
-    return {azimuthOf(local), altitude, {altitude.value + refraction(observer_, altitude).value}};
+    return {computeAzimuth(local), altitude, {altitude.value + refraction(observer_, altitude).value}};
 }
 
 namespace {

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <functional>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
 #include <numeric>
 
 namespace noonmark {
@@ -92,6 +94,17 @@ bool oddCrossings(const Ring& ring, glm::dvec2 point) {
     return odd;
 }
 }  // namespace
+
+double distanceTo(const Ring& ring, glm::dvec2 point) {
+    double minimum = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const glm::dvec2 a(ring[i]), along = glm::dvec2(ring[(i + 1) % ring.size()]) - a;
+        const double share =
+            std::clamp(glm::dot(point - a, along) / std::max(1e-12, glm::dot(along, along)), 0.0, 1.0);
+        minimum = std::min(minimum, glm::distance(point, a + share * along));
+    }
+    return minimum;
+}
 
 bool contains(const Footprint& footprint, glm::dvec2 point) {
     bool inside = oddCrossings(footprint.outer, point);

@@ -61,6 +61,9 @@ double area(const std::vector<Footprint>& footprints);  ///< their sum, common p
 Box2 bounds(const Ring& ring);
 Box2 bounds(const Footprint& footprint);
 
+/// Metres to the nearest point of the outline, from either side of it. O(points).
+double distanceTo(const Ring& ring, glm::dvec2 point);
+
 /// Half-open: if two footprints share an edge, a point on it is in exactly one of them. A point on a western
 /// or southern edge is inside, on an eastern or northern edge outside. O(points).
 bool contains(const Footprint& footprint, glm::dvec2 point);

@@ -23,18 +23,6 @@ constexpr const char* notClosedText = NM_TEXT("its surface is not closed; it is 
 constexpr const char* turnedText = NM_TEXT("its faces pointed inward and were turned");
 constexpr const char* withoutOutlineText = NM_TEXT("its outline could not be determined");
 
-double distanceTo(const Ring& ring, glm::dvec2 point) {
-    double minimum = 1e30;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const glm::dvec2 a(ring[i]);
-        const glm::dvec2 along = glm::dvec2(ring[(i + 1) % ring.size()]) - a;
-        const double share =
-            std::clamp(glm::dot(point - a, along) / std::max(1e-12, glm::dot(along, along)), 0.0, 1.0);
-        minimum = std::min(minimum, glm::distance(point, a + share * along));
-    }
-    return minimum;
-}
-
 double distanceTo(const Footprint& footprint, glm::dvec2 point) {
     return contains(footprint, point) ? 0 : distanceTo(footprint.outer, point);
 }

@@ -50,17 +50,6 @@ void addOpen(const Building& building, const Part& part, std::vector<OpenBelow>&
         open.push_back({piece, bounds(piece), part.bottomM, part.topM});
 }
 
-double distanceTo(const Ring& ring, glm::dvec2 place) {
-    double minimum = 1e30;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const glm::dvec2 a(ring[i]), along = glm::dvec2(ring[(i + 1) % ring.size()]) - a;
-        const double share =
-            std::clamp(glm::dot(place - a, along) / std::max(1e-12, glm::dot(along, along)), 0.0, 1.0);
-        minimum = std::min(minimum, glm::distance(place, a + share * along));
-    }
-    return minimum;
-}
-
 /// Azimuths from `low` to `high`, radians.
 struct Arc {
     double low, high;

@@ -140,9 +140,9 @@ bool risesAbove(const SeenEdge& edge, const LowestInParts& lowest) {
     return false;
 }
 
-constexpr int degrees = 360;
+constexpr int fullDegrees = 360;
 std::size_t degreeOf(double azimuth) {
-    return std::min(std::size_t(degrees - 1), std::size_t(azimuth * degrees / fullTurn));
+    return std::min(std::size_t(fullDegrees - 1), std::size_t(azimuth * fullDegrees / fullTurn));
 }
 
 // The whole degrees, first and last, in which a face is seen; -360 to 719.
@@ -154,9 +154,9 @@ std::pair<int, int> degreesOf(const OverhangFace& face, glm::dvec3 eye) {
         low = std::min(low, turn), high = std::max(high, turn);
     }
     // From below or above a face, its corners lie all around.
-    if (high - low >= std::numbers::pi) return {0, degrees - 1};
-    return {int(std::floor((start + low) * degrees / fullTurn)),
-            int(std::floor((start + high) * degrees / fullTurn))};
+    if (high - low >= std::numbers::pi) return {0, fullDegrees - 1};
+    return {int(std::floor((start + low) * fullDegrees / fullTurn)),
+            int(std::floor((start + high) * fullDegrees / fullTurn))};
 }
 
 void addEdge(const TopEdge& edge, glm::dvec3 eye, LowestInParts& lowest, std::vector<SeenEdge>& seen) {
@@ -196,7 +196,7 @@ std::vector<SeenEdge> seeEdges(const SkyObstacles& obstacles, glm::dvec3 eye, Lo
 // overhead. The ends of an edge that is seen end-on belong to the others. Most overhangs of a city are far
 // away, behind something that stands on the ground.
 bool risesAbove(const OverhangFace& face, glm::dvec3 eye, const LowestInParts& lowest) {
-    if (degreesOf(face, eye) == std::pair{0, degrees - 1}) return true;
+    if (degreesOf(face, eye) == std::pair{0, fullDegrees - 1}) return true;
     bool anySeen = false;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 a = glm::dvec3(face.corners[i]) - eye,
@@ -245,11 +245,11 @@ Skyline Skyline::at(const SkyPoint& point, const SkyObstacles& obstacles) {
 }
 
 void Skyline::sortFaces() {
-    facesNear_.resize(degrees);
+    facesNear_.resize(fullDegrees);
     for (std::uint32_t index = 0; index < faces_.size(); ++index) {
         const auto [first, last] = degreesOf(faces_[index], eye_);
         for (int degree = first; degree <= last; ++degree)
-            facesNear_[std::size_t((degree + degrees) % degrees)].push_back(index);
+            facesNear_[std::size_t((degree + fullDegrees) % fullDegrees)].push_back(index);
     }
 }
 

@@ -170,7 +170,7 @@ void chooseGeometry(const Json& geometries, const LodChoice& choice, std::size_t
                             fmt::format("{} ({})", where, reader.broken)});
 }
 
-constexpr double unreadable = std::numeric_limits<double>::quiet_NaN();
+constexpr double unreadableNumber = std::numeric_limits<double>::quiet_NaN();
 
 const Json& member(const Json& object, const char* key) {
     static const Json none;
@@ -210,7 +210,7 @@ std::vector<glm::dvec3> verticesOf(const Json& root, const Transform& transform)
     if (!list.is_array()) return vertices;
     vertices.reserve(list.size());
     for (const Json& vertex : list)
-        vertices.push_back(triple(vertex).value_or(glm::dvec3(unreadable)) * transform.scale +
+        vertices.push_back(triple(vertex).value_or(glm::dvec3(unreadableNumber)) * transform.scale +
                            transform.translate);
     return vertices;
 }

@@ -288,7 +288,7 @@ Result<OsmBuildings> readChecked(const Path& file, OsmFormat format, const ReadS
 }
 
 // A beginning that tells neither form is that of XML with long comments.
-OsmFormat formatOf(const Path& file) { return findOsmFormat(file).value_or(OsmFormat::xml); }
+OsmFormat osmFormatOf(const Path& file) { return findOsmFormat(file).value_or(OsmFormat::xml); }
 
 tl::unexpected<Error> notRead(const std::exception& exception, const Path& file) {
     return failure(fmt::format("The map cannot be read ({})", exception.what()), file.string(),
@@ -299,7 +299,7 @@ tl::unexpected<Error> notRead(const std::exception& exception, const Path& file)
 
 Result<FilePiece> readOsmFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
                                     std::stop_token stop) try {
-    const OsmFormat format = formatOf(file);
+    const OsmFormat format = osmFormatOf(file);
     auto buildings = readChecked(file, format, settings, progress, stop);
     if (!buildings) return tl::make_unexpected(buildings.error());
     FilePiece piece{.warnings = std::move(buildings->warnings),
@@ -320,7 +320,7 @@ Result<FilePiece> readOsmFootprints(const Path& file, const ReadSettings& settin
 
 Result<FootprintScan> scanOsmFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
                                         std::stop_token stop) try {
-    const auto buildings = readChecked(file, formatOf(file), settings, progress, stop);
+    const auto buildings = readChecked(file, osmFormatOf(file), settings, progress, stop);
     if (!buildings) return tl::make_unexpected(buildings.error());
     FootprintScan scan;
     scan.indexed = false;

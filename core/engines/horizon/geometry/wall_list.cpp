@@ -13,21 +13,21 @@ namespace noonmark {
 namespace {
 
 /// One side of a triangle, to be matched with the same side of the adjacent triangle.
-struct Side {
+struct WallSide {
     std::uint32_t low, high;  // indices of the ends
     std::uint32_t face;
     bool forward;  // the triangle runs from low to high
 };
 
-std::vector<Side> sortedSides(const TriangleMesh& mesh) {
-    std::vector<Side> sides;
+std::vector<WallSide> sortedSides(const TriangleMesh& mesh) {
+    std::vector<WallSide> sides;
     sides.reserve(mesh.triangles.size() * 3);
     for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face)
         for (int i = 0; i < 3; ++i) {
             const std::uint32_t a = mesh.triangles[face][i], b = mesh.triangles[face][(i + 1) % 3];
             sides.push_back({std::min(a, b), std::max(a, b), face, a < b});
         }
-    std::ranges::sort(sides, [](const Side& a, const Side& b) {
+    std::ranges::sort(sides, [](const WallSide& a, const WallSide& b) {
         return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
     });
     return sides;
@@ -40,7 +40,7 @@ bool isFlat(glm::vec3 one, glm::vec3 other) {
 }
 
 // A side where more than two faces meet is treated as a boundary of each.
-void addEdges(const Side* first, const Side* end, StandingSolid& solid) {
+void addEdges(const WallSide* first, const WallSide* end, StandingSolid& solid) {
     if (end - first == 2 && first[0].forward != first[1].forward) {
         if (isFlat(solid.normals[first[0].face], solid.normals[first[1].face])) return;
         const bool forward = first[0].forward;
@@ -48,7 +48,7 @@ void addEdges(const Side* first, const Side* end, StandingSolid& solid) {
             {first->low, first->high, first[forward ? 0 : 1].face, first[forward ? 1 : 0].face});
         return;
     }
-    for (const Side* side = first; side != end; ++side)
+    for (const WallSide* side = first; side != end; ++side)
         solid.edges.push_back({side->forward ? side->low : side->high, side->forward ? side->high : side->low,
                                side->face, SolidEdge::noFace});
 }
@@ -74,7 +74,7 @@ StandingSolid makeStandingSolid(const TriangleMesh& mesh, std::uint32_t building
         const glm::dvec3 normal = glm::cross(b - a, c - a);
         solid.normals.emplace_back(normal / std::max(1e-12, glm::length(normal)));
     }
-    const std::vector<Side> sides = sortedSides(mesh);
+    const std::vector<WallSide> sides = sortedSides(mesh);
     for (std::size_t first = 0, end = 0; first < sides.size(); first = end) {
         while (end < sides.size() && sides[end].low == sides[first].low &&
                sides[end].high == sides[first].high)
