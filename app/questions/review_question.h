@@ -76,6 +76,12 @@ struct ReviewAnswer {
 std::shared_ptr<const Answer> makeAnswer(std::shared_ptr<const ReviewAnswer> review,
                                          std::shared_ptr<const ReviewSource> source);
 
+/// Whether a saved result has the verdicts of this question: of its rule, choices, year, scenarios and
+/// places, by their names, whatever buildings these had.
+bool isReviewOf(const SavedResult& saved, const ReviewQuestion& question);
+/// How long a saved review took, seconds; infinite where its version did not state it.
+double secondsOfReview(const SavedResult& saved);
+
 /// What reviewQuestion() computes, for use without an Answer. Errors of runReview().
 Result<ReviewAnswer> computeReview(const ReviewQuestion& question, Progress& progress, std::stop_token stop);
 
