@@ -278,7 +278,7 @@ bool isReviewOf(const SavedResult& saved, const ReviewQuestion& question) try {
         return false;
     const auto json = nlohmann::json::parse(saved.settings);
     return json.at("rule") == question.rule.key && json.at("year") == question.settings.year &&
-           json.at("choices").get<RuleChoices>() == question.rule.chosen &&
+           json.at("choices").get<decltype(Rule::chosen)>() == question.rule.chosen &&
            hasPlaces(json.at("places"), question);
 } catch (const nlohmann::json::exception&) {  // of another version, or damaged
     return false;
