@@ -262,24 +262,24 @@ Warnings statedWarnings(Warnings ofReview, const ReviewSource& source) {
 namespace {
 
 // Of a rule with lines each parcel has two reviews, with names of their own.
-bool hasPlaces(const nlohmann::json& saved, const ReviewQuestion& question) {
+bool hasPlaces(const nlohmann::json& saved, const ReviewQuestion& question, bool orSome) {
     if (question.rule.receivers.hasLines()) return saved.size() == 2 * question.places.size();
     std::set<std::string> then, now;
     for (const auto& place : saved) then.insert(place.at("name").get<std::string>());
     for (const Place& place : question.places) now.insert(place.name);
-    return then == now;
+    return orSome ? std::ranges::includes(now, then) : then == now;
 }
 
 }  // namespace
 
-bool isReviewOf(const SavedResult& saved, const ReviewQuestion& question) try {
+bool isReviewOf(const SavedResult& saved, const ReviewQuestion& question, bool orSome) try {
     if (saved.kind != reviewQuestion().key || saved.scenario != question.to ||
         saved.baseline != question.from)
         return false;
     const auto json = nlohmann::json::parse(saved.settings);
     return json.at("rule") == question.rule.key && json.at("year") == question.settings.year &&
            json.at("choices").get<decltype(Rule::chosen)>() == question.rule.chosen &&
-           hasPlaces(json.at("places"), question);
+           hasPlaces(json.at("places"), question, orSome);
 } catch (const nlohmann::json::exception&) {  // of another version, or damaged
     return false;
 }

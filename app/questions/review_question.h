@@ -77,8 +77,9 @@ std::shared_ptr<const Answer> makeAnswer(std::shared_ptr<const ReviewAnswer> rev
                                          std::shared_ptr<const ReviewSource> source);
 
 /// Whether a saved result has the verdicts of this question: of its rule, choices, year, scenarios and
-/// places, by their names, whatever buildings these had.
-bool isReviewOf(const SavedResult& saved, const ReviewQuestion& question);
+/// places, by their names, whatever buildings these had. `orSome`: also of some of the places, those in
+/// reach.
+bool isReviewOf(const SavedResult& saved, const ReviewQuestion& question, bool orSome = false);
 /// How long a saved review took, seconds; infinite where its version did not state it.
 double secondsOfReview(const SavedResult& saved);
 

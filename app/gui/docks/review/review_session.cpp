@@ -196,8 +196,10 @@ Asked ReviewSession::makeAsked(ReviewQuestion question) const {
 std::shared_ptr<const MeasuredAnswer> ReviewSession::measuredBefore() {
     const auto now = question();
     if (!now) return nullptr;
-    for (const auto& one : workbench_.measured() | std::views::reverse)
-        if (!one->known().answer && isReviewOf(*one->toSave(), *now)) return one;
+    const MeasuredAnswers measured = workbench_.measured();
+    const bool orSome = needsScreening(*now);  // which of them was found then
+    for (const auto& one : measured | std::views::reverse)
+        if (!one->known().answer && isReviewOf(*one->toSave(), *now, orSome)) return one;
     return nullptr;
 }
 
