@@ -93,6 +93,8 @@ PlaceList::PlaceList(QWidget* parent)
 // What is drawn needs a kind, since rules treat kinds differently: it is asked for beside the button.
 QWidget* PlaceList::makeDrawing() {
     kind_->setObjectName(QStringLiteral("drawnKind"));
+    kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    kind_->setMinimumContentsLength(8);  // a long name shall not widen the panel
     kind_->setToolTip(tr("What the place is that is drawn, of the kinds that the rule is about"));
     auto* draw = new QPushButton(tr("Draw place"));
     draw->setObjectName(QStringLiteral("drawReviewPlace"));
