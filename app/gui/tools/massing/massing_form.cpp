@@ -85,7 +85,7 @@ QDoubleSpinBox* rotationField() {
 }
 
 // Of a narrow panel: fields that are read together share a row.
-QHBoxLayout* beside(std::initializer_list<QWidget*> widgets) {
+QHBoxLayout* sideBySide(std::initializer_list<QWidget*> widgets) {
     auto* row = new QHBoxLayout;
     for (QWidget* widget : widgets) row->addWidget(widget, qobject_cast<QLabel*>(widget) ? 0 : 1);
     return row;
@@ -134,10 +134,10 @@ void MassingForm::makeFields() {
     placePodium();
     auto* form = new QFormLayout;
     form->addRow(translated(towerField("--storeys").label),
-                 beside({storeys_, new QLabel(QStringLiteral("×")), storeyHeight_}));
+                 sideBySide({storeys_, new QLabel(QStringLiteral("×")), storeyHeight_}));
     form->addRow(heightLabel_, height_);
     form->addRow(tr("Floor plate"), plate_);
-    form->addRow(tr("Turn, taper, twist"), beside({turn_, walls_}));
+    form->addRow(tr("Turn, taper, twist"), sideBySide({turn_, walls_}));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(form);
