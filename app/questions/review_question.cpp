@@ -1,6 +1,7 @@
 #include "app/questions/review_question.h"
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 #include <set>
 
@@ -32,6 +33,8 @@ bool isAllOf(const Project& project, const ReviewQuestion& question) {
     const std::vector<Place> all = placesUnder(question.rule, project);
     return std::ranges::equal(all, question.places, {}, &Place::name, &Place::name);
 }
+
+constexpr const char* secondsKey = "compute_s";  // of a saved review
 
 // Whatever the buildings.
 bool asksSame(const ReviewQuestion& a, const ReviewQuestion& b) {
@@ -135,6 +138,7 @@ public:
         json.update(figuresJson(placeVerdictFigures().of(countVerdicts(content().study))));
         json["engine_settings"] = content().study.engine;
         json["region"] = "places";
+        json[secondsKey] = seconds();
         return makeSavedResult(project, std::string(question().key), asked().to, asked().from,
                                std::move(json));
     }
@@ -253,6 +257,37 @@ Warnings statedWarnings(Warnings ofReview, const ReviewSource& source) {
     ofReview.insert(ofReview.end(), source.ofRules.begin(), source.ofRules.end());
     prependWarnings(ofReview, source.project.reading->warnings);
     return ofReview;
+}
+
+namespace {
+
+// Of a rule with lines each parcel has two reviews, with names of their own.
+bool hasPlaces(const nlohmann::json& saved, const ReviewQuestion& question, bool orSome) {
+    if (question.rule.receivers.hasLines()) return saved.size() == 2 * question.places.size();
+    std::set<std::string> then, now;
+    for (const auto& place : saved) then.insert(place.at("name").get<std::string>());
+    for (const Place& place : question.places) now.insert(place.name);
+    return orSome ? std::ranges::includes(now, then) : then == now;
+}
+
+}  // namespace
+
+bool isReviewOf(const SavedResult& saved, const ReviewQuestion& question, bool orSome) try {
+    if (saved.kind != reviewQuestion().key || saved.scenario != question.to ||
+        saved.baseline != question.from)
+        return false;
+    const auto json = nlohmann::json::parse(saved.settings);
+    return json.at("rule") == question.rule.key && json.at("year") == question.settings.year &&
+           json.at("choices").get<decltype(Rule::chosen)>() == question.rule.chosen &&
+           hasPlaces(json.at("places"), question, orSome);
+} catch (const nlohmann::json::exception&) {  // of another version, or damaged
+    return false;
+}
+
+double secondsOfReview(const SavedResult& saved) try {
+    return nlohmann::json::parse(saved.settings).at(secondsKey).get<double>();
+} catch (const nlohmann::json::exception&) {
+    return std::numeric_limits<double>::infinity();
 }
 
 bool isSame(const ReviewQuestion& a, const ReviewQuestion& b) { return isOfSameCase(a, b) && asksSame(a, b); }

@@ -76,6 +76,13 @@ struct ReviewAnswer {
 std::shared_ptr<const Answer> makeAnswer(std::shared_ptr<const ReviewAnswer> review,
                                          std::shared_ptr<const ReviewSource> source);
 
+/// Whether a saved result has the verdicts of this question: of its rule, choices, year, scenarios and
+/// places, by their names, whatever buildings these had. `orSome`: also of some of the places, those in
+/// reach.
+bool isReviewOf(const SavedResult& saved, const ReviewQuestion& question, bool orSome = false);
+/// How long a saved review took, seconds; infinite where its version did not state it.
+double secondsOfReview(const SavedResult& saved);
+
 /// What reviewQuestion() computes, for use without an Answer. Errors of runReview().
 Result<ReviewAnswer> computeReview(const ReviewQuestion& question, Progress& progress, std::stop_token stop);
 

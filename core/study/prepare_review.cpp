@@ -12,10 +12,14 @@
 #include <utility>
 
 #include "core/base/safe_text.h"
+#include "core/engines/common/changed_buildings.h"
+#include "core/engines/common/shadow_reach.h"
 
 #include "core/engines/ray/ray_reference.h"
 #include "core/receivers/parcels/parcel_lines.h"
+#include "core/receivers/place_names.h"
 #include "core/receivers/roof_receivers.h"
+#include "core/review/criteria/worst_spots.h"
 #include "core/review/rule/rule_names.h"
 #include "core/study/elements/element_fields.h"
 
@@ -289,6 +293,53 @@ Result<PreparedReview> prepareReview(const Rule& rule, const City& baseline, con
     if (!scene) return tl::make_unexpected(scene.error());
     findCountedCrowns(*scene, days->sun);
     return PreparedReview{*std::move(days), *std::move(measured), *std::move(scene)};
+}
+
+namespace {
+
+/// Whether what a scenario changes can shade a place at some step.
+class ChangeReach {
+public:
+    explicit ChangeReach(const PreparedReview& prepared)
+        : reach_(prepared.days.sun),
+          treesDiffer_(!haveSameTrees(prepared.scene.before, prepared.scene.after)) {
+        const RuleScene& scene = prepared.scene;
+        const Receivers& receivers = scene.receivers.receivers;
+        lowestM_ = scene.planeZ ? double(*scene.planeZ) : lowestGroundM(receivers);
+        changed_ = findChangedBuildings(scene.before.buildings, scene.after.buildings);
+    }
+
+    [[nodiscard]] bool touches(const Place& place) const {
+        if (treesDiffer_) return true;
+        const Box2 box = bounds(place);
+        const auto shades = [&](const std::shared_ptr<const Building>& building) {
+            return reach_.touches(bounds(*building), double(topM(*building)) - lowestM_, box);
+        };
+        return std::ranges::any_of(changed_.added, shades) || std::ranges::any_of(changed_.removed, shades);
+    }
+
+private:
+    ShadowReach reach_;
+    ChangedBuildings changed_;
+    double lowestM_ = 0;
+    bool treesDiffer_;
+};
+
+}  // namespace
+
+std::size_t expectSpotPoints(const Rule& rule, const PreparedReview& prepared) {
+    const PlaceReceivers& receivers = prepared.scene.receivers;
+    if (receivers.receivers.cells.empty()) return 0;
+    const std::vector<SpotSearch> searches = listSpotSearches(rule);
+    const auto ofNew =
+        std::size_t(std::ranges::count(searches, Quantity::incremental, &SpotSearch::quantity));
+    const ChangeReach reach(prepared);
+    std::size_t points = 0;
+    for (std::size_t i = 0; i < prepared.measured.places.size(); ++i) {
+        const bool isReached = reach.touches(prepared.measured.places[i]);
+        points += expectPoints(receivers.cellCount(i), searches.size() - (isReached ? 0 : ofNew));
+    }
+    return points;
 }
 
 }  // namespace noonmark

@@ -72,6 +72,10 @@ struct PreparedReview {
     RuleScene scene;
 };
 
+/// How many points a review looks at on a day, in all places, for their worst spots (expectPoints()). New
+/// shadow is looked for only where a building that comes or goes, or trees that do, can shade the place.
+std::size_t expectSpotPoints(const Rule& rule, const PreparedReview& prepared);
+
 /// Shadow on the places of a review, one day after the other (shadePlaces()).
 Result<void> shadeScene(const Engine& engine, const PreparedReview& prepared, const TakePlaces& take,
                         Progress& progress, std::stop_token stop);

@@ -13,6 +13,7 @@
 #include <Qt3DRender/QLayer>
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <numeric>
 #include <utility>
 
@@ -91,7 +92,8 @@ Corners layOut(const std::vector<NameLabels::Label>& labels, const QSizeF& pictu
         const auto first = std::uint32_t(corners.anchors.size());
         for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
             corners.anchors.emplace_back(label.at);
-            corners.offsets.emplace_back((x - 0.5) * size.width(), (0.5 - y) * size.height(), 0);
+            corners.offsets.emplace_back((x - 0.5) * size.width(), (0.5 - y) * size.height() + label.raisedPx,
+                                         0);
             corners.texels.emplace_back(x * size.width() / picture.width(),
                                         (top + y * size.height()) / picture.height(), 0);
         }
@@ -195,14 +197,16 @@ void PlaceMarks::show(std::vector<Mark> marks) {
 
 // Names of marks that are gone leave at once; those of others wait for the camera's rest.
 void PlaceMarks::keepNames(const std::vector<Mark>& before) {
-    std::vector<std::size_t> kept;
-    for (const std::size_t i : named_) {
+    std::vector<Named> kept;
+    for (std::size_t n = 0; n < named_.size(); ++n) {
+        const std::size_t i = named_[n];
         const auto same = std::ranges::find_if(marks_, [&gone = before[i]](const Mark& mark) {
             return mark.name == gone.name && mark.at == gone.at;
         });
-        if (same != marks_.end()) kept.push_back(std::size_t(same - marks_.begin()));
+        if (same != marks_.end())
+            kept.push_back({std::size_t(same - marks_.begin()), labels_->shown()[n].raisedPx});
     }
-    showNames(std::move(kept));
+    showNames(kept);
 }
 
 void PlaceMarks::highlight(std::optional<std::size_t> mark) {
@@ -275,8 +279,26 @@ std::vector<std::size_t> PlaceMarks::ranked() const {
     return order;
 }
 
+namespace {
+
+// How far a name stands above the point of its place, so that it does not cover a smaller one.
+double findRaise(const PlaceMarks::Mark& mark, const glm::dvec2& pixel, const QSizeF& label,
+                 const CameraPose& pose, const ViewLens& lens) {
+    glm::dvec2 low(1e9), high(-1e9);
+    for (const GroundLine& line : mark.lines)
+        for (const glm::vec3& point : line.points)
+            if (const auto corner = pixelOf(pose, lens, glm::dvec3(point))) {
+                low = glm::min(low, glm::dvec2(corner->x, corner->y));
+                high = glm::max(high, glm::dvec2(corner->x, corner->y));
+            }
+    if (high.x - low.x > label.width() && high.y - low.y > label.height()) return 0;
+    return high.y < low.y ? 0 : pixel.y - low.y + label.height() / 2;
+}
+
+}  // namespace
+
 void PlaceMarks::layNames(const CameraPose& pose, const ViewLens& lens) {
-    std::vector<std::size_t> chosen;
+    std::vector<Named> chosen;
     std::vector<QRectF> taken;
     const QRectF screen(0, 0, lens.widthPx, lens.heightPx);
     for (const std::size_t i : ranked()) {
@@ -287,21 +309,25 @@ void PlaceMarks::layNames(const CameraPose& pose, const ViewLens& lens) {
         const auto pixel = pixelOf(pose, lens, mark.at);
         if (!pixel || !screen.contains(pixel->x, pixel->y)) continue;
         QRectF box(QPointF(), NameLabels::sizeOf(mark.name));
-        box.moveCenter({pixel->x, pixel->y});
+        const double raisedPx = findRaise(mark, {pixel->x, pixel->y}, box.size(), pose, lens);
+        box.moveCenter({pixel->x, pixel->y - raisedPx});
         box.adjust(-labelGapPx, -labelGapPx, labelGapPx, labelGapPx);
         if (!screen.contains(box)) continue;  // a name that is cut off cannot be read
         if (std::ranges::any_of(taken, [&](const QRectF& other) { return other.intersects(box); })) continue;
         if (i != highlighted_ && isHidden_ && isHidden_(mark.at)) continue;
         taken.push_back(box);
-        chosen.push_back(i);
+        chosen.push_back({i, raisedPx});
     }
-    showNames(std::move(chosen));
+    showNames(chosen);
 }
 
-void PlaceMarks::showNames(std::vector<std::size_t> marks) {
-    named_ = std::move(marks);
+void PlaceMarks::showNames(const std::vector<Named>& names) {
+    named_.clear();
     std::vector<NameLabels::Label> labels;
-    for (const std::size_t i : named_) labels.push_back({marks_[i].name, marks_[i].at, i == highlighted_});
+    for (const auto& [i, raisedPx] : names) {
+        named_.push_back(i);
+        labels.push_back({marks_[i].name, marks_[i].at, i == highlighted_, raisedPx});
+    }
     labels_->show(labels);
 }
 

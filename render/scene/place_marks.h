@@ -32,6 +32,7 @@ public:
         QString name;
         glm::dvec3 at{0};  ///< the label's centre
         bool bold = false;
+        double raisedPx = 0;  ///< above that point
         bool operator==(const Label&) const = default;
     };
 
@@ -40,6 +41,7 @@ public:
 
     /// Replaces the labels; costs nothing if they are the same.
     void show(const std::vector<Label>& labels);
+    [[nodiscard]] const std::vector<Label>& shown() const { return shown_; }
     /// From now on a section box cuts no label away.
     void ignoreSection();
     void setViewSize(const QVector2D& size);  ///< of the view, device-independent pixels
@@ -58,7 +60,7 @@ private:
 
 /// Names of places on the ground, and outlines of those that are chosen, under the cursor, or all. Names keep
 /// their size on the screen; where they would cover each other the larger place has its name, and what
-/// buildings hide has none.
+/// buildings hide has none. The name of a place that is smaller on the screen stands above it.
 class PlaceMarks {
 public:
     struct Mark {
@@ -99,6 +101,7 @@ public:
     void layNames(const CameraPose& pose, const ViewLens& lens);
     /// The marks whose names are shown, in the order of their choice.
     [[nodiscard]] const std::vector<std::size_t>& named() const { return named_; }
+    [[nodiscard]] const NameLabels& labels() const { return *labels_; }
 
     void setLens(const ViewLens& lens);  ///< device-independent pixels
 
@@ -108,7 +111,11 @@ private:
     void draw();
     void drawOutlines();
     void keepNames(const std::vector<Mark>& before);
-    void showNames(std::vector<std::size_t> marks);
+    struct Named {
+        std::size_t mark;
+        double raisedPx;
+    };
+    void showNames(const std::vector<Named>& names);
     [[nodiscard]] bool isOutlined(std::size_t mark) const;
     [[nodiscard]] Qt3DCore::QEntity* drawLines(bool named, ShaderMaterial& material);
     [[nodiscard]] std::vector<std::size_t> ranked() const;

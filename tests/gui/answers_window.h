@@ -57,6 +57,16 @@ struct AnswersWindow : ::testing::Test {
         workbench().run();
         ASSERT_TRUE(waitFor([this] { return workbench().study() != nullptr; }));
     }
+    void saveAndOpenAgain() {
+        window->saving().save();
+        ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy() && session().file(); }));
+        const auto before = workbench().city();
+        window->open({QString::fromStdString(session().file()->path().string())});
+        ASSERT_TRUE(waitFor([&] {
+            return !workbench().opening().busy() && workbench().city() != before &&
+                   !workbench().running().busy() && !workbench().reading().busy();
+        }));
+    }
     void keep(const char* name) {
         const auto before = session().project().results.size();
         workbench().saveAnswer(QString::fromLatin1(name));

@@ -279,7 +279,9 @@ void MainWindow::explore() {
 
 // A moment has its own shadows, which cost nothing while the camera moves.
 void MainWindow::activateExploration() {
-    exploration_.setActive(mode_.mode() == ViewMode::exploration && !time_.showsMoment());
+    // Of what is being shaped the view shows the change on the ground.
+    exploration_.setActive(mode_.mode() == ViewMode::exploration && !time_.showsMoment() &&
+                           !tools_.context().preview.shown());
 }
 
 // The panel of a card of the start page, with its question chosen.

@@ -244,6 +244,9 @@ void MainWindow::connectModes() {
     connect(&mode_, &ModeSwitch::changed, this, &MainWindow::showModes);
     connect(&review_, &ReviewSession::answered, this, &MainWindow::showVerdicts);
     connect(&time_, &TimeDisplay::momentChanged, this, &MainWindow::activateExploration);
+    const EditPreview& preview = tools_.context().preview;
+    connect(&preview, &EditPreview::shownChanged, &time_, &TimeDisplay::setDesigning);
+    connect(&preview, &EditPreview::shownChanged, this, &MainWindow::activateExploration);
     connect(&exploration_, &Exploration::changed, this,
             [this] { panel_->results().setExplored(exploration_.answer()); });
     connect(&exploration_, &Exploration::failed, &panel_->messages(), &MessageBar::showError);

@@ -81,8 +81,9 @@ constexpr int narrowSideWidth = 290;
 constexpr int widthOfThreeSides = 1500;  // of a window that has panels at left, right and below
 constexpr int narrowWidth = 190;
 constexpr int scrollBarWidth = 22;
-constexpr int tabsWidth = 28;  // of names that stand upright beside panels
-constexpr int lowShare = 3;    // of the window's height a dock below the view takes one part of so many
+constexpr int tabsWidth = 28;              // of names that stand upright beside panels
+constexpr int aroundView = 200;            // of the window's height: menus, bars, the strip below the view
+constexpr int minLow = 230, maxLow = 300;  // of a dock below the view: a table of some rows beside a chart
 
 // Wraps the content in a scroll area, so that a dock can be smaller than its content.
 QScrollArea* scrolled(QWidget* content, int minWidth) {
@@ -199,6 +200,11 @@ void makeRoomBelow(QMainWindow& window) {
     if (auto* side = window.findChild<QAction*>(nameOfSide(Qt::RightDockWidgetArea))) side->trigger();
 }
 
+// The height of a panel below that leaves half of the window to the view, on low screens less.
+int heightBelow(const QMainWindow& window) {
+    return std::clamp(window.height() / 2 - aroundView, minLow, maxLow);
+}
+
 // The width of a panel at the right that leaves half of the window to the view.
 int widthAtRight(const QMainWindow& window) {
     int left = 0;
@@ -218,7 +224,7 @@ void openDock(QMainWindow& window, QDockWidget& dock, DockPlace place) {
     dock.show();
     if (place == DockPlace::inFront) dock.raise();
     if (isFirst && area == Qt::BottomDockWidgetArea)
-        window.resizeDocks({&dock}, {window.height() / lowShare}, Qt::Vertical);
+        window.resizeDocks({&dock}, {heightBelow(window)}, Qt::Vertical);
     if (isFirst && area == Qt::RightDockWidgetArea)
         window.resizeDocks({&dock}, {widthAtRight(window)}, Qt::Horizontal);
 }

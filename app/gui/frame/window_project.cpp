@@ -77,7 +77,7 @@ void MainWindow::showProject() {
     showTitle();
     opening_.showGuesses();
     hideAnswerPanels();
-    study_.repeatSaved();
+    if (!review_.repeatMeasured()) study_.repeatSaved();
     if (workbench_.session().recovered()) help_.closeStart();
     if (workbench_.running().busy()) showAnswerPanel();  // what was shown when it was saved
     recovery_.offer();

@@ -260,7 +260,7 @@ Suspects listSuspects(const PlaceShadow& shadow, Quantity quantity, const std::v
 
 // The first round has four points in a cell at most; the others look around few spots, which searches share.
 std::size_t expectPoints(std::size_t cells, std::size_t searches) {
-    constexpr std::size_t first = 220, others = 40;
+    constexpr std::size_t first = 100, others = 25;
     return cells == 0 ? 0 : std::min(searches * first, 4 * cells) + searches * others;
 }
 

@@ -103,8 +103,8 @@ inline constexpr double spotDistanceCells = 1.0 / 16;
 /// in all, a ray each for every step and city.
 std::vector<PlaceShadow> refineWorstSpots(std::size_t place, const PlaceShadow& shadow,
                                           const PlacePoints& points, std::span<const SpotSearch> searches);
-/// How many points so many searches look at on a day, on a place of so many cells. Measured; within a factor
-/// of two.
+/// How many points so many searches look at on a day, on a place of so many cells. Measured on 60 places of
+/// Chicago's Loop as they stand and on 36 in reach of a proposal; within a factor of two.
 std::size_t expectPoints(std::size_t cells, std::size_t searches);
 
 }  // namespace noonmark

@@ -9,6 +9,7 @@
 #include "core/engines/auto_engine.h"
 #include "core/engines/projected/projected_shadows.h"
 #include "core/engines/ray/ray_reference.h"
+#include "core/review/criteria/worst_spots.h"
 #include "core/review/library/rule_text.h"
 #include "core/study/prepare_review.h"
 #include "core/study/shadow_drawings.h"
@@ -110,6 +111,54 @@ TEST(ReviewStudy, TheForecastCountsTreesWhereTheRuleDoes) {
     const double without = seconds();
     rule.occluders.trees = RuleTrees::seasonal;
     EXPECT_GT(seconds(), 1.5 * without);
+}
+
+// What the forecast assumes of its largest part, held against what a run looks at: twenty small places
+// between blocks, ten of them north of a tower whose shadow falls south of it (Melbourne) and away from them.
+TEST(ReviewStudy, TheForecastCountsThePointsThatSpotsAreLookedForAt) {
+    const Rule rule = shippedRule("four-days");
+    std::vector<Box3> boxes;
+    std::vector<Place> places;
+    for (int i = 0; i < 10; ++i) {
+        const double x = 30.0 * i;
+        boxes.push_back({{x, 0, 0}, {x + 12, 12, 15}});
+        places.push_back(placeOf("South " + std::to_string(i), float(x), -12, float(x + 4 + i), -4));
+        places.push_back(placeOf("North " + std::to_string(i), float(x), 304, float(x + 4 + i), 312));
+        boxes.push_back({{x, 315, 0}, {x + 12, 327, 15}});
+    }
+    const City before = cityAt(melbourne, boxes);
+    City after = before;
+    after.buildings.push_back(cityAt(melbourne, {{{100, 20, 0}, {130, 40, 60}}}).buildings.front());
+    const auto points = [&](const City& scenario) {
+        const auto prepared =
+            prepareReview(rule, before, scenario, places, {1, "Australia/Melbourne", 2026}, {}).value();
+        const RuleScene& scene = prepared.scene;
+        const std::array<const City*, 2> cities{&scene.before, &scene.after};
+        const auto spots = PlacePoints::over(cities, prepared.measured.places, scene.receivers, scene.planeZ,
+                                             prepared.days.sun, {})
+                               .value();
+        std::size_t looked = 0;
+        const auto take = [&](std::size_t, std::span<const PlaceShadow> shadows) -> Result<void> {
+            for (std::size_t i = 0; i < shadows.size(); ++i)
+                for (const PlaceShadow& near : refineWorstSpots(i, shadows[i], spots, listSpotSearches(rule)))
+                    looked += near.baseline.receivers;
+            return {};
+        };
+        Quiet quiet;
+        EXPECT_TRUE(shadeScene(AutoEngine(), prepared, take, quiet, {}));
+        return std::pair(expectSpotPoints(rule, prepared), looked / prepared.days.sun.days.size());
+    };
+    const auto [expectedBefore, lookedBefore] = points(before);
+    EXPECT_LT(expectedBefore, 3 * lookedBefore);
+    EXPECT_GT(3 * expectedBefore, lookedBefore);
+    const auto [expectedAfter, lookedAfter] = points(after);
+    EXPECT_LT(expectedAfter, 3 * lookedAfter);
+    EXPECT_GT(3 * expectedAfter, lookedAfter);
+    EXPECT_GT(expectedAfter, expectedBefore) << "new shadow is looked for where the tower shades";
+    const std::size_t searches = listSpotSearches(rule).size();
+    std::size_t all = 0;
+    for (int i = 0; i < 10; ++i) all += 2 * expectPoints(std::size_t(8 * (4 + i)), searches);
+    EXPECT_LT(expectedAfter, all) << "and not where it cannot";
 }
 
 TEST(ReviewStudy, SaysThatTheGroundIsFlatAndThatNothingChanges) {

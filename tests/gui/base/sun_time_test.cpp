@@ -90,6 +90,22 @@ TEST(TimeStrip, MarksSolsticesEquinoxesSunriseAndSunset) {
     EXPECT_EQ(time->marks()[0].label, QStringLiteral("06:58"));
 }
 
+// 546 pixels are its share of a window of 1366.
+TEST(TimeStrip, NamesAllMonthsOfItsMarksInGermanToo) {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German));
+    TimeStrip strip;
+    QLocale::setDefault(before);
+    strip.setLocale(QLocale(QLocale::German));
+    strip.setPeriod(inNewYork);
+    strip.setLook({ShownSpan::moment, noon.date, 13h});
+    strip.setAttribute(Qt::WA_DontShowOnScreen);
+    strip.resize(546, 60);
+    strip.show();
+    QCoreApplication::processEvents();
+    EXPECT_EQ(strip.findChild<MarkedSlider*>(QStringLiteral("lookDate"))->labels().size(), 4U);
+}
+
 TEST(TimeStrip, ADayIsOfferedOnlyForAStudy) {
     TimeStrip strip;
     strip.setPeriod(inNewYork);

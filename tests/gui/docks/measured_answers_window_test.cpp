@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QPushButton>
 
 #include "app/gui/docks/results/results_dock.h"
 #include "app/gui/docks/study_form/study_dock.h"
@@ -16,18 +17,7 @@ namespace {
 
 using test::waitFor;
 
-struct MeasuredAnswersWindow : test::AnswersWindow {
-    void saveAndOpenAgain() {
-        window->saving().save();
-        ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy() && session().file(); }));
-        const auto before = workbench().city();
-        window->open({QString::fromStdString(session().file()->path().string())});
-        ASSERT_TRUE(waitFor([&] {
-            return !workbench().opening().busy() && workbench().city() != before &&
-                   !workbench().running().busy() && !workbench().reading().busy();
-        }));
-    }
-};
+struct MeasuredAnswersWindow : test::AnswersWindow {};
 
 // What was measured is there again after the project was saved and opened, without being saved by name.
 TEST_F(MeasuredAnswersWindow, MeasuredAnswersAreThereAgainTomorrow) {
@@ -145,6 +135,20 @@ TEST_F(MeasuredAnswersWindow, TwoScenariosAndTheMomentOfTheClockAreThereAgain) {
     EXPECT_TRUE(waitFor(isBeside));
     EXPECT_EQ(comparing.choice(), "compareBeside Existing");
     EXPECT_EQ(window->panel().time().look(), noon);
+}
+
+// While exploring no result is shown: what was measured is offered, so that it is not missed.
+TEST_F(MeasuredAnswersWindow, WhatWasMeasuredIsOfferedWhereTheProjectOpensInNow) {
+    study();
+    window->mode().setMode(ViewMode::exploration);
+    saveAndOpenAgain();
+    EXPECT_FALSE(workbench().answer());
+    MessageBar& bar = window->panel().messages();
+    EXPECT_TRUE(bar.text().contains(QStringLiteral("Study of"))) << bar.text().toStdString();
+    auto* show = bar.findChild<QPushButton*>(QStringLiteral("remedy"));
+    ASSERT_TRUE(show && !show->isHidden());
+    show->click();
+    EXPECT_TRUE(waitFor([this] { return workbench().answerAs<SavedContent>() != nullptr; }));
 }
 
 // Chosen from the list, an answer is shown: nothing is computed, and what is being computed goes on.

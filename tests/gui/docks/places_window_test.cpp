@@ -166,6 +166,24 @@ TEST_F(PlacesWindow, OnlyChosenPlacesAndThatUnderTheCursorHaveOutlines) {
     EXPECT_EQ(marks.outlined(), places().size());
 }
 
+TEST_F(PlacesWindow, ANameStandsAboveAPlaceThatIsSmallerOnTheScreen) {
+    read(polygonFile());
+    PlaceMarks& marks = window->panel().view().places();
+    const CityView& view = window->panel().view();
+    window->panel().navigator().show(bounds(places()[1]));
+    ASSERT_TRUE(waitFor([&] { return !marks.named().empty(); }));
+    marks.highlight(1);
+    CameraPose pose = view.pose();
+    marks.layNames(pose, view.lens());
+    ASSERT_EQ(marks.named().front(), 1U);
+    EXPECT_EQ(marks.labels().shown().front().raisedPx, 0) << "within its place";
+    pose.distanceM *= 20;
+    marks.layNames(pose, view.lens());
+    ASSERT_EQ(marks.named().front(), 1U);
+    EXPECT_GE(marks.labels().shown().front().raisedPx,
+              NameLabels::sizeOf(QStringLiteral("Court")).height() / 2);
+}
+
 TEST_F(PlacesWindow, ANameThatSomethingHidesIsLeftOut) {
     read(polygonFile());
     PlaceMarks& marks = window->panel().view().places();

@@ -81,6 +81,32 @@ TEST_F(ReviewAnswerWindow, ComesBackFromTheProjectWithTheSameSentences) {
     EXPECT_TRUE(figures().contains(QStringLiteral("Places that pass")));
 }
 
+// Without being saved by name: a quick review is there with its places, and counts as the same answer.
+TEST_F(ReviewAnswerWindow, IsThereAgainTomorrow) {
+    review();
+    const auto counts = workbench().answer()->figures();
+    saveAndOpenAgain();
+    ASSERT_TRUE(waitFor([this] { return !window->review().running().busy(); }));
+    const auto again = window->review().shown();
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->study.places.size(), 1U);
+    EXPECT_EQ(workbench().answerAs<ReviewAnswer>(), again) << "it was displayed";
+    EXPECT_EQ(workbench().answer()->figures().front().value, counts.front().value);
+    EXPECT_EQ(workbench().measured().size(), 1U) << "in place of what the file holds";
+    EXPECT_FALSE(session().hasUnsavedWork());
+}
+
+TEST_F(ReviewAnswerWindow, OfAnotherRuleIsNotComputedUnasked) {
+    review();
+    ReviewChoice choice = window->review().choice();
+    choice.rule = "four-days";
+    window->review().choose(choice);
+    saveAndOpenAgain();
+    EXPECT_FALSE(window->review().running().busy());
+    EXPECT_FALSE(window->review().shown());
+    EXPECT_EQ(workbench().measured().size(), 1U);
+}
+
 TEST_F(ReviewAnswerWindow, WritesTheFilesOfAReviewAndThoseOfASavedOne) {
     review();
     const QString out = folder.filePath(QStringLiteral("out"));

@@ -5,6 +5,7 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QUndoStack>
@@ -78,6 +79,30 @@ TEST_F(ReviewWindow, TheEmptyDockSaysWhatToDoNext) {
 }
 
 // The far park has sun all day: it passes a rule about the sun that is left; nothing is compared.
+TEST_F(ReviewWindow, APlaceIsDrawnFromItsPanelWithAKindOfTheRule) {
+    choose("ceqr");
+    showDock();
+    auto& kind = *form().findChild<QComboBox*>(QStringLiteral("drawnKind"));
+    const int plaza = kind.findData(int(PlaceKind::plaza));
+    ASSERT_GE(plaza, 0);
+    EXPECT_EQ(kind.findData(int(PlaceKind::street)), -1) << "the rule is not about streets";
+    kind.setCurrentIndex(plaza);
+    form().findChild<QPushButton*>(QStringLiteral("drawReviewPlace"))->click();
+    PolygonTool& tool = window->panel().placeTool();
+    ASSERT_TRUE(tool.active());
+    for (const glm::dvec3 corner : {glm::dvec3(0, 100, 0), {40, 100, 0}, {40, 140, 0}}) tool.addPoint(corner);
+    tool.finish();
+    ASSERT_EQ(session().project().places.size(), 1U);
+    EXPECT_EQ(session().project().places[0].kind, PlaceKind::plaza);
+    auto& list = *form().findChild<QListWidget*>(QStringLiteral("reviewPlaces"));
+    ASSERT_EQ(list.count(), 1);
+    list.item(0)->setText(QStringLiteral("Market"));  // typed in its row
+    EXPECT_EQ(session().project().places[0].name, "Market");
+    EXPECT_EQ(list.item(0)->checkState(), Qt::Checked);
+    list.item(0)->setText(QString());
+    EXPECT_EQ(list.item(0)->text(), QStringLiteral("Market")) << "a place has a name";
+}
+
 TEST_F(ReviewWindow, TheExistingCityIsReviewedAsItStands) {
     showDock();
     addPlaces();

@@ -134,6 +134,16 @@ TEST_F(ProjectWindow, AReviewLeavesASmallScreenToTheViewAndDoesNotWidenTheWindow
     EXPECT_FALSE(results->isHidden()) << "its key brings it back";
 }
 
+// 2560 x 1440 at 150 %.
+TEST_F(ProjectWindow, VerdictsBelowTheViewLeaveItHalfOfTheHeight) {
+    window->resize(1706, 937);
+    window->mode().setMode(ViewMode::review);
+    auto* verdicts = window->findChild<QDockWidget*>(QStringLiteral("reviewDock"));
+    ASSERT_TRUE(waitFor([&] { return verdicts->isVisible(); }));
+    EXPECT_TRUE(waitFor([this] { return window->panel().view().height() >= 0.47 * window->height(); }))
+        << window->panel().view().height();
+}
+
 TEST_F(ProjectWindow, ScreenReadersHaveANameForEverythingThatTakesTheKeyboard) {
     QStringList silent;
     for (QWidget* widget : window->findChildren<QWidget*>()) {

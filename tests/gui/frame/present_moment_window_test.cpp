@@ -5,9 +5,11 @@
 #include <QTemporaryDir>
 
 #include "app/gui/frame/main_window.h"
+#include "app/gui/tools/editing/edit_tools.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/gui/view/time/sun_at_moment.h"
 #include "app/gui/view/time/time_strip.h"
+#include "tests/gui/small_city.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {
@@ -109,6 +111,23 @@ TEST_F(PresentWindow, TheStripFollowsTheDayOfTheStudyAndTheMovieTheStrip) {
     settings.receivers.cellM = 5;
     window.workbench().document().change(settings, QStringLiteral("cell size"));
     EXPECT_EQ(look().at, 9h) << "other settings move nothing";
+}
+
+// What a tower changes is of the study's period: no other date stands beside it.
+TEST_F(PresentWindow, OneDateIsShownWhileATowerIsDesigned) {
+    openAt(16h);
+    const ShownTime before = look();
+    const Period& period = window.workbench().document().settings().period;
+    ASSERT_NE(before.date, period.start);
+    TowerEditing& tower = window.tools().tower();
+    tower.begin({"Lot", test::square({0, 0}, 30)}, {}, {.storeys = 10});
+    ASSERT_TRUE(window.tools().context().preview.shown());
+    EXPECT_EQ(look().span, ShownSpan::period);
+    EXPECT_EQ(look().date, period.start);
+    EXPECT_FALSE(window.exploration().working()) << "the change is on the ground";
+    tower.cancel();
+    EXPECT_EQ(look(), before);
+    EXPECT_FALSE(window.panel().legend().legend()) << "the moment, as before";
 }
 
 TEST_F(PresentWindow, AMomentThatTheUserChoseStays) {

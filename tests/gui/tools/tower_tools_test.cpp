@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSpinBox>
+#include <QTest>
 
 #include "app/gui/tools/editing/selection_panel.h"
 #include "app/gui/tools/massing/massing_panel.h"
@@ -278,6 +279,43 @@ TEST_F(EditToolsTest, AFloorAreaIsReachedByStoreysOrByThePlate) {
     field<QPushButton>(panel, "fitPlate").click();
     EXPECT_TRUE(static_cast<MassingPanel*>(panel)->message().contains(QStringLiteral("more storeys")));
     EXPECT_TRUE(field<QPushButton>(panel, "applyMassing").isEnabled()) << "the tower stays as it is";
+}
+
+// The target states what the tower has until another is typed, and the tower takes that at once.
+TEST_F(EditToolsTest, AFloorAreaThatIsTypedIsHeeded) {
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});  // 2500 m2
+    QWidget* panel = tools.massingDock();
+    auto& number = field<QDoubleSpinBox>(panel, "targetNumber");
+    EXPECT_EQ(number.value(), 25000) << "ten storeys";
+    field<QSpinBox>(panel, "storeys").setValue(4);
+    EXPECT_EQ(number.value(), 10000);
+    number.setValue(20400);
+    EXPECT_EQ(tools.tower().draft()->settings.storeys, 8);
+    EXPECT_EQ(number.value(), 20400) << "as it was typed";
+    auto& kind = field<QComboBox>(panel, "targetKind");
+    kind.setCurrentIndex(1);
+    Q_EMIT kind.activated(1);
+    EXPECT_EQ(number.value(), 8) << "the ratio of the tower as it is";
+    number.setValue(3);
+    EXPECT_EQ(tools.tower().draft()->settings.storeys, 3);
+    field<QPushButton>(panel, "fitPlate").click();
+    EXPECT_EQ(tools.tower().draft()->settings.storeys, 8) << "as before the other button";
+    EXPECT_NEAR(*tools.tower().draft()->settings.plate.areaM2, 7500.0 / 8, 1.5);
+}
+
+// At 1366 x 768 the panel has some 545 pixels, of which figures and buttons take 180.
+TEST_F(EditToolsTest, SetbacksAreInSightOnALowScreen) {
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    QWidget* panel = tools.massingDock();
+    panel->setAttribute(Qt::WA_DontShowOnScreen);
+    panel->resize(340, 545);
+    panel->show();
+    QTest::qWait(50);
+    auto* scroll = panel->findChild<QScrollArea*>();
+    const auto& add = field<QPushButton>(panel, "addSetback");
+    const int bottom = add.mapTo(scroll->viewport(), QPoint(0, add.height())).y();
+    EXPECT_LE(bottom, scroll->viewport()->height());
+    EXPECT_GT(bottom, 0);
 }
 
 TEST_F(EditToolsTest, FieldsOfATowerStayWithinTheirPanelWhateverItsPlateIs) {

@@ -286,13 +286,19 @@ namespace {
 
 constexpr int visibleRows = 3;
 
+// Without rows it takes no room: its buttons say what it holds.
+void fitHeight(QTableWidget& table) {
+    const int rows = std::min(table.rowCount(), visibleRows);
+    table.setFixedHeight(table.horizontalHeader()->sizeHint().height() +
+                         rows * table.verticalHeader()->defaultSectionSize() + 4);
+    table.setVisible(rows > 0);
+}
+
 QTableWidget* makeTable(int columns) {
     auto* table = new QTableWidget(0, columns);
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     table->verticalHeader()->hide();
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setFixedHeight(table->horizontalHeader()->sizeHint().height() +
-                          visibleRows * table->verticalHeader()->defaultSectionSize() + 4);
     return table;
 }
 
@@ -308,6 +314,7 @@ FieldTable::FieldTable(int columns, QPushButton* add, QPushButton* remove, QWidg
     column->addWidget(table_);
     column->addLayout(buttons);
     remove->setEnabled(false);
+    fitHeight(*table_);
     connect(add, &QPushButton::clicked, this, &FieldTable::addRequested);
     connect(remove, &QPushButton::clicked, this, &FieldTable::removeChosen);
 }
@@ -318,16 +325,19 @@ void FieldTable::addRow(std::initializer_list<QWidget*> fields) {
     int column = 0;
     for (QWidget* field : fields) table_->setCellWidget(row, column++, field);
     remove_->setEnabled(true);
+    fitHeight(*table_);
 }
 
 void FieldTable::removeRows() {
     table_->setRowCount(0);
     remove_->setEnabled(false);
+    fitHeight(*table_);
 }
 
 void FieldTable::removeChosen() {
     const int chosen = table_->currentRow() >= 0 ? table_->currentRow() : table_->rowCount() - 1;
     table_->removeRow(chosen);
+    fitHeight(*table_);
     remove_->setEnabled(table_->rowCount() > 0);
     Q_EMIT edited();
 }

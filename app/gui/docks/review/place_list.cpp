@@ -1,5 +1,6 @@
 #include "app/gui/docks/review/place_list.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -49,12 +50,18 @@ QPushButton* makeSmallButton(const QString& text, const QString& tip, QHBoxLayou
 }  // namespace
 
 PlaceList::PlaceList(QWidget* parent)
-    : QWidget(parent), filter_(new QLineEdit), list_(new QListWidget), count_(new QLabel) {
+    : QWidget(parent),
+      filter_(new QLineEdit),
+      list_(new QListWidget),
+      count_(new QLabel),
+      kind_(new QComboBox),
+      drawing_(makeDrawing()) {
     filter_->setObjectName(QStringLiteral("placeFilter"));
     filter_->setPlaceholderText(tr("Find a place"));
     filter_->setClearButtonEnabled(true);
     list_->setObjectName(QStringLiteral("reviewPlaces"));
     list_->setUniformItemSizes(true);
+    list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
     list_->setMinimumHeight(90);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     count_->setWordWrap(true);
@@ -72,14 +79,61 @@ PlaceList::PlaceList(QWidget* parent)
     column->addWidget(count_);
     column->addWidget(filter_);
     column->addWidget(list_, 1);
+    column->addWidget(drawing_);
     connect(filter_, &QLineEdit::textChanged, this, &PlaceList::filter);
-    connect(list_, &QListWidget::itemChanged, this, &PlaceList::take);
+    connect(list_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) { takeItem(*item); });
     connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
         if (item != nullptr) Q_EMIT highlighted(item->data(nameRole).toString().toStdString());
     });
     connect(all, &QPushButton::clicked, this, [this] { checkAll(true); });
     connect(none, &QPushButton::clicked, this, [this] { checkAll(false); });
     connect(screen, &QPushButton::clicked, this, &PlaceList::screenRequested);
+}
+
+// What is drawn needs a kind, since rules treat kinds differently: it is asked for beside the button.
+QWidget* PlaceList::makeDrawing() {
+    kind_->setObjectName(QStringLiteral("drawnKind"));
+    kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    kind_->setMinimumContentsLength(8);  // a long name shall not widen the panel
+    kind_->setToolTip(tr("What the place is that is drawn, of the kinds that the rule is about"));
+    auto* draw = new QPushButton(tr("Draw place"));
+    draw->setObjectName(QStringLiteral("drawReviewPlace"));
+    draw->setToolTip(
+        tr("Click the place's corners on the ground; double click or Enter finishes. Its name "
+           "can then be typed in the list."));
+    connect(draw, &QPushButton::clicked, this,
+            [this] { Q_EMIT drawRequested(PlaceKind(kind_->currentData().toInt())); });
+    auto* drawing = new QWidget;
+    auto* row = new QHBoxLayout(drawing);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(draw, 1);
+    row->addWidget(kind_, 1);
+    return drawing;
+}
+
+void PlaceList::setKinds(const std::vector<PlaceKind>& kinds) {
+    drawing_->setVisible(!kinds.empty());
+    const QVariant chosen = kind_->currentData();
+    kind_->clear();
+    for (const PlaceKind kind : kinds) kind_->addItem(describeKind(kind), int(kind));
+    kind_->setCurrentIndex(std::max(0, kind_->findData(chosen)));
+}
+
+void PlaceList::editName(const std::string& place) {
+    for (int i = 0; i < list_->count(); ++i) {
+        QListWidgetItem* item = list_->item(i);
+        if (item->data(nameRole).toString().toStdString() != place) continue;
+        list_->setCurrentItem(item);
+        list_->scrollToItem(item);
+        list_->setFocus();
+        return list_->editItem(item);
+    }
+}
+
+// It was ticked, or its name was typed.
+void PlaceList::takeItem(const QListWidgetItem& item) {
+    const std::string name = item.data(nameRole).toString().toStdString();
+    item.text() == placeName(name) ? take() : Q_EMIT renamed(name, item.text().trimmed().toStdString());
 }
 
 namespace {
@@ -111,7 +165,7 @@ void PlaceList::show(const std::vector<Place>& places, const ReviewChoice& choic
         QListWidgetItem& item = *list_->item(int(i));
         item.setText(placeName(place.name));
         item.setData(nameRole, QString::fromStdString(place.name));
-        item.setFlags(item.flags() | Qt::ItemIsUserCheckable);
+        item.setFlags(item.flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
         item.setCheckState(ticked.contains(place.name) ? Qt::Checked : Qt::Unchecked);
         QString tip = tr("%1, %2").arg(describeKind(place.kind), describeArea(area(place)));
         if (reach && reach->reasons.contains(place.name))

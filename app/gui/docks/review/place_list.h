@@ -10,6 +10,7 @@
 #include "app/questions/review_question.h"
 #include "core/receivers/place.h"
 
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -28,12 +29,20 @@ public:
     void show(const std::vector<Place>& places, const ReviewChoice& choice, const ReviewSession::Reach* reach,
               bool isFinding);
 
+    /// The kinds that can be drawn, those that the rule is about; none: it is about no places.
+    void setKinds(const std::vector<PlaceKind>& kinds);
+    void editName(const std::string& place);  ///< in its row
+
 Q_SIGNALS:
     void chosen(bool all, std::vector<std::string> names);
     void screenRequested();
+    void drawRequested(noonmark::PlaceKind kind);
+    void renamed(const std::string& from, const std::string& to);
     void highlighted(const std::string& place);  ///< the current row
 
 private:
+    QWidget* makeDrawing();
+    void takeItem(const QListWidgetItem& item);
     void take();
     void checkAll(bool on);
     void filter(const QString& part);
@@ -43,6 +52,8 @@ private:
     QLineEdit* filter_;
     QListWidget* list_;
     QLabel* count_;
+    QComboBox* kind_;
+    QWidget* drawing_;
 };
 
 /// The reviewed places in the colours of their verdicts, for the view, with a legend of them. A parcel has

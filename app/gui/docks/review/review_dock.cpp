@@ -20,6 +20,7 @@
 #include "app/gui/docks/review/glazing/glazing_panel.h"
 #include "app/gui/docks/review/glazing/glazing_session.h"
 #include "app/gui/docks/review/verdict_table.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/project/project_session.h"
 #include "app/gui/session/study/region_text.h"
 #include "core/review/library/rule_text.h"
@@ -251,6 +252,10 @@ void ReviewDock::showState() {
         if (review_.following().busy())
             return state_->setText(tr("Computing the verdicts of the building being designed..."));
         if (!question) return state_->setText(describeError(question.error()));
+        if (const auto before = review_.measuredBefore())
+            return state_->setText(tr("The project holds %1, see the list of Results. Run review shows its "
+                                      "places and timelines again.")
+                                       .arg(shownName(*before)));
         return state_->setText(
             question->from == question->to
                 ? tr("Press Run review to see which places fail as the city stands, or design a tower.")

@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <iterator>
 
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/status_bars.h"
@@ -15,7 +16,9 @@
 #include "app/gui/docks/review/glazing/glazing_session.h"
 #include "app/gui/docks/review/place_list.h"
 #include "app/gui/docks/review/rule_form.h"
+#include "app/gui/session/project/project_changes.h"
 #include "app/gui/session/project/project_session.h"
+#include "core/review/places/place_review.h"
 
 namespace noonmark {
 
@@ -107,6 +110,8 @@ void ReviewForm::connectChoices() {
     });
     connect(places_, &PlaceList::screenRequested, &review_, &ReviewSession::screen);
     connect(places_, &PlaceList::highlighted, this, &ReviewForm::placePointedAt);
+    connect(places_, &PlaceList::drawRequested, this, &ReviewForm::drawPlaceRequested);
+    connect(places_, &PlaceList::renamed, this, &ReviewForm::rename);
     connect(places_, &PlaceList::chosen, this, [this](bool all, const std::vector<std::string>& names) {
         ReviewChoice choice = review_.choice();
         choice.reviewed = all ? ReviewedPlaces::all : ReviewedPlaces::chosen;
@@ -114,6 +119,32 @@ void ReviewForm::connectChoices() {
         review_.choose(choice);
     });
 }
+
+void ReviewForm::takeDrawn(const std::string& place) {
+    ReviewChoice choice = review_.choice();
+    if (choice.reviewed == ReviewedPlaces::chosen) choice.places.push_back(place);
+    review_.choose(choice);
+    places_->editName(place);
+}
+
+// A name that is taken, or empty, is not adopted: the list shows the old one again.
+void ReviewForm::rename(const std::string& from, const std::string& to) {
+    if (!to.empty()) project_.rename(ProjectPart::place, from, to);
+    showChoice();
+}
+
+namespace {
+
+// Of a rule about parcels or windows none.
+std::vector<PlaceKind> listDrawnKinds(const Result<Rule>& rule) {
+    std::vector<PlaceKind> kinds;
+    if (!rule || rule->receivers.hasLines()) return kinds;
+    std::ranges::copy_if(placeKinds, std::back_inserter(kinds),
+                         [&](PlaceKind kind) { return covers(*rule, kind); });
+    return kinds;
+}
+
+}  // namespace
 
 void ReviewForm::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
@@ -125,6 +156,7 @@ void ReviewForm::showChoice() {
     const ReviewChoice& choice = review_.choice();
     form_->setZone(review_.zone());
     form_->show(choice, project_.project().scenarios, project_.scenario());
+    places_->setKinds(listDrawnKinds(review_.rule()));
     places_->show(review_.candidates(), choice, review_.reach(), review_.mustFindReach());
     glazingForm_->show(choice.windows);
     subjects_->setCurrentIndex(windows_.applies() ? 1 : 0);

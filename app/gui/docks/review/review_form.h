@@ -31,9 +31,12 @@ public:
     /// The building that is selected in the view, whose windows may be reviewed; empty: none.
     void setSelectedBuilding(const QString& id);
     [[nodiscard]] ElementForm& elements();  ///< which windows a rule is evaluated on
+    /// A place that was drawn for the review: it is reviewed, and its name can be typed.
+    void takeDrawn(const std::string& place);
 
 Q_SIGNALS:
     void placePointedAt(const std::string& place);  ///< to be highlighted in the view
+    void drawPlaceRequested(noonmark::PlaceKind kind);
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -44,6 +47,7 @@ private:
     void connectSessions();
     void connectChoices();
     void showChoice();
+    void rename(const std::string& from, const std::string& to);
     void showEstimate(const QString& words, bool ofGlazing);
 
     ReviewSession& review_;

@@ -2,6 +2,7 @@
 
 #include <QStandardPaths>
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "app/gui/base/widgets/error_text.h"
@@ -192,26 +193,42 @@ Asked ReviewSession::makeAsked(ReviewQuestion question) const {
             .reviewSource = std::make_shared<const ReviewSource>(source())};
 }
 
-// Without being asked by the user, its answer takes the place of an earlier review only.
-void ReviewSession::ask(bool byUser) {
+std::shared_ptr<const MeasuredAnswer> ReviewSession::measuredBefore() {
+    const auto now = question();
+    if (!now) return nullptr;
+    const MeasuredAnswers measured = workbench_.measured();
+    const bool orSome = needsScreening(*now);  // which of them was found then
+    for (const auto& one : measured | std::views::reverse)
+        if (!one->known().answer && isReviewOf(*one->toSave(), *now, orSome)) return one;
+    return nullptr;
+}
+
+bool ReviewSession::repeatMeasured() {
+    const auto before = measuredBefore();
+    if (!before || secondsOfReview(*before->toSave()) > quickSeconds) return false;
+    const bool wasShown = before->name() == workbench_.openedView().shown;
+    ask({.isWork = false, .isShown = wasShown});
+    return wasShown;
+}
+
+void ReviewSession::ask(const Workbench::Adopting& how) {
     const auto question = this->question();
     if (!question) return report(question.error());
     if (needsScreening(*question)) {
         estimating_.drop();  // which may be finding them, too
-        return findReach(running_, *question, [this, byUser] { ask(byUser); });
+        return findReach(running_, *question, [this, how] { ask(how); });
     }
     running_.start<std::shared_ptr<const Answer>>(
         tr("Review"),
         [asked = makeAsked(*question)](Progress& progress, const std::stop_token& stop) {
             return reviewQuestion().compute(asked, progress, stop);
         },
-        [this, byUser](Result<std::shared_ptr<const Answer>> answer) {
+        [this, how](Result<std::shared_ptr<const Answer>> answer) {
             if (!answer) return report(answer.error());
             answer_ = contentOf<ReviewAnswer>(*answer);
             cached_.add(answer_);
             if (!proposed_) live_.reset();
-            const bool isShown = byUser || !workbench_.answer() || workbench_.answerAs<ReviewAnswer>();
-            workbench_.adopt({answer_->question.after, answer_->question.before, *answer}, {byUser, isShown});
+            workbench_.adopt({answer_->question.after, answer_->question.before, *answer}, how);
             Q_EMIT answered();
         });
 }
@@ -352,7 +369,9 @@ void ReviewSession::cityChanged() {
     Q_EMIT answered();
     if (!answer_ || !following_ || proposed_ || answer_->seconds > quickSeconds) return;
     const auto now = question();
-    if (now && hasFewDays(now->rule) && !isAnswered(*now)) ask(false);
+    if (!now || !hasFewDays(now->rule) || isAnswered(*now)) return;
+    // Nobody asked for it: it takes the place of an earlier review only.
+    ask({.isWork = false, .isShown = !workbench_.answer() || workbench_.answerAs<ReviewAnswer>()});
 }
 
 // Until the places in reach are known, by the answer's own.

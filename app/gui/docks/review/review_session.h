@@ -66,7 +66,12 @@ public:
     /// The scenarios whose buildings differ from the baseline's.
     [[nodiscard]] std::vector<std::string> comparedScenarios();
 
-    void run() { ask(true); }
+    void run() { ask({.isWork = true, .isShown = true}); }
+    /// Of a project that was opened: computes the review again that it holds of the present choice, if that
+    /// was quick, so that its places and timelines are there. Whether it is the answer that was displayed.
+    bool repeatMeasured();
+    /// The review of the present choice that the project holds from an earlier session; null: none.
+    [[nodiscard]] std::shared_ptr<const MeasuredAnswer> measuredBefore();
     /// Reviews every scenario that latest() lacks.
     void runAll();
     /// The latest answer of each scenario for the chosen rule, baseline and places, where none of them nor
@@ -121,7 +126,7 @@ Q_SIGNALS:
     void scenarioFailed(std::string scenario, noonmark::Error error);
 
 private:
-    void ask(bool byUser);
+    void ask(const Workbench::Adopting& how);
     void adoptShown();
     [[nodiscard]] Asked makeAsked(ReviewQuestion question) const;
     void reportAll(const ScenarioErrors& errors, std::size_t asked);

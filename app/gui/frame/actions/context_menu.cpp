@@ -114,7 +114,7 @@ void ContextMenu::addGround(QMenu& menu, const Pick& pick) {
     menu.addAction(makeIcon(QStringLiteral("sun")), tr("Sun and sky here"), &points_,
                    [this, pick] { points_.inspect(pick); });
     menu.addAction(makeIcon(QStringLiteral("lot")), tr("Draw lot"), &tools_, &EditTools::drawLot);
-    menu.addAction(makeIcon(QStringLiteral("place")), tr("Draw place"), &places_, &PlaceActions::draw);
+    menu.addAction(makeIcon(QStringLiteral("place")), tr("Draw place"), &places_, [this] { places_.draw(); });
     menu.addAction(makeIcon(QStringLiteral("region")), tr("Draw region"), region_.actions().first(),
                    &QAction::trigger);
     menu.addAction(tr("Measure from here"), this, [this, pick] {

@@ -221,7 +221,7 @@ void PlaceActions::makeActions() {
     });
     connect(read_, &QAction::triggered, this, &PlaceActions::askForFiles);
     connect(streets_, &QAction::triggered, this, &PlaceActions::readStreets);
-    connect(draw_, &QAction::triggered, this, &PlaceActions::draw);
+    connect(draw_, &QAction::triggered, this, [this] { draw(); });
     connect(fromBuilding_, &QAction::triggered, this, &PlaceActions::makeFromBuilding);
     connect(show_, &QAction::toggled, this, [this](bool on) {
         panel_.view().places().setShown(on);
@@ -236,7 +236,7 @@ void PlaceActions::makeActions() {
 void PlaceActions::connectTree(ProjectDock& tree) {
     connect(&tree, &ProjectDock::placeChosen, this, &PlaceActions::zoomTo);
     connect(&tree, &ProjectDock::placeSelected, &panel_, &ViewPanel::highlightPlace);
-    connect(&tree, &ProjectDock::drawPlaceRequested, this, &PlaceActions::draw);
+    connect(&tree, &ProjectDock::drawPlaceRequested, this, [this] { draw(); });
     connect(&tree, &ProjectDock::readPlacesRequested, this, &PlaceActions::askForFiles);
 }
 
@@ -383,14 +383,21 @@ void PlaceActions::addPhotograph(const QString& file) {
     Q_EMIT photographDropped(file);
 }
 
-void PlaceActions::draw() {
-    if (!workbench_.city()) return;
+void PlaceActions::draw(PlaceKind kind, DrawnPlace named) {
+    if (!workbench_.city()) return panel_.messages().showError(noCityError());
+    drawnKind_ = kind;
+    drawn_ = std::move(named);
     panel_.placeTool().begin();
     panel_.view().requestActivate();  // the view receives the keys that finish or cancel the polygon
 }
 
 void PlaceActions::takeDrawn(const std::vector<Footprint>& pieces) {
-    add({"Place", PlaceKind::park, pieces, "drawn"}, tr("draw place"));
+    const std::string name = add({"Place", drawnKind_, pieces, "drawn"}, tr("draw place"));
+    if (name.empty()) return;
+    if (drawn_) return drawn_(name);
+    tree_.editName(ProjectPart::place, name);
+    panel_.messages().showNote(tr("%1 is drawn as %2; a right click on it in Project changes its kind.")
+                                   .arg(placeName(name), describeKind(drawnKind_)));
 }
 
 void PlaceActions::makeFromBuilding() {
@@ -398,18 +405,19 @@ void PlaceActions::makeFromBuilding() {
     if (!selected || !workbench_.city()) return;
     const Building& building = *workbench_.city()->city().buildings[*selected];
     const std::string name = cleanName(building.name.empty() ? building.sourceId : building.name);
-    add({name.empty() ? "Place" : name, PlaceKind::other, computeOutline(building),
-         "building " + cleanName(building.sourceId)},
-        tr("place from building"));
+    const std::string added = add({name.empty() ? "Place" : name, PlaceKind::other, computeOutline(building),
+                                   "building " + cleanName(building.sourceId)},
+                                  tr("place from building"));
+    if (!added.empty()) tree_.editName(ProjectPart::place, added);
 }
 
-// The new place's name can be typed at once.
-void PlaceActions::add(Place place, const QString& what) {
+// The name that it got, which can be typed at once. Empty: it was not added.
+std::string PlaceActions::add(Place place, const QString& what) {
     Project next = workbench_.session().project();
     place.name = freeName(next, ProjectPart::place, place.name);
     const std::string name = place.name;
     next.places.push_back(std::move(place));
-    if (workbench_.session().change(std::move(next), what)) tree_.editName(ProjectPart::place, name);
+    return workbench_.session().change(std::move(next), what) ? name : std::string();
 }
 
 void PlaceActions::zoomTo(const std::string& name) {

@@ -50,7 +50,10 @@ public:
     void takeDropped(const QStringList& files, std::optional<QPointF> pixel = {});
     /// Adds terrain, an aerial photograph, trees or places to the open city; never replaces what it has.
     void addFiles(const QStringList& files);
-    void draw();
+    void draw() { draw(PlaceKind::park, {}); }
+    /// What is drawn is of this kind; `named` takes its name, to be typed anew. Null: in the project tree.
+    using DrawnPlace = std::function<void(const std::string& name)>;
+    void draw(PlaceKind kind, DrawnPlace named);
     void makeFromBuilding();
     void zoomTo(const std::string& place);
 
@@ -86,7 +89,7 @@ private:
     void offerFile(const PlaceSettings& settings, EarlierPlaces earlier);
     void take(const PlacesRead& read, EarlierPlaces earlier);
     void takeDrawn(const std::vector<Footprint>& pieces);
-    void add(Place place, const QString& what);
+    [[nodiscard]] std::string add(Place place, const QString& what);
     void follow();
 
     Workbench& workbench_;
@@ -102,6 +105,8 @@ private:
     QAction* fromBuilding_;
     QAction* show_;
     QAction* outlines_;
+    PlaceKind drawnKind_ = PlaceKind::park;
+    DrawnPlace drawn_;
     std::function<Dropped()> ask_;
     AddQuestion askAdded_;
     JobSlot reading_;

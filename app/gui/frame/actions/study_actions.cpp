@@ -6,6 +6,7 @@
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/name_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/result_display.h"
 #include "app/gui/docks/review/glazing/glazing_session.h"
@@ -15,6 +16,7 @@
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/docks/weights/weights_dock.h"
 #include "app/gui/frame/actions/place_actions.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/preview/edit_preview.h"
 #include "app/gui/view/panel/view_panel.h"
@@ -141,6 +143,7 @@ void StudyActions::repeatSaved() {
     const bool isExploring = view.mode == ViewMode::exploration;
     if (!view.answer.empty() && !isExploring && view.answerSeconds < quickSeconds)
         return workbench_.runAgain();
+    if (isExploring) offerMeasured();
     if (!isExploring && showMeasured()) return;
     if (view.answer.empty()) return;
     display_.setHint(
@@ -161,6 +164,22 @@ bool StudyActions::showMeasured() {
     if (shown == measured.end()) return false;
     workbench_.showMeasured(**shown);
     return true;
+}
+
+// The one that was displayed, else the last. What was measured is not to be missed where none is shown.
+void StudyActions::offerMeasured() {
+    const MeasuredAnswers measured = workbench_.measured();
+    if (measured.empty()) return;
+    const auto shown = std::ranges::find_if(
+        measured, [&](const auto& one) { return one->name() == workbench_.openedView().shown; });
+    const auto offered = shown == measured.end() ? measured.back() : *shown;
+    const QString name = shownName(*offered);
+    MessageBar& bar = panel_.messages();
+    bar.showHelp(measured.size() == 1
+                     ? tr("The project holds what was measured: %1.").arg(name)
+                     : tr("The project holds %1 answers, all in the list of Results; among them %2.")
+                           .arg(formatCount(measured.size()), name));
+    bar.offer(tr("Show it"), [this, offered] { workbench_.showMeasured(*offered); });
 }
 
 void StudyActions::announceLongRun(const RunEstimate& estimate) {
@@ -201,6 +220,10 @@ ReviewActions::ReviewActions(ReviewSession& review, GlazingSession& windows, con
     connect(export_, &QAction::triggered, this, &ReviewActions::exportReview);
     connect(&panels.answer, &ReviewDock::exportRequested, this, &ReviewActions::exportReview);
     connect(&panels.question, &ReviewForm::placePointedAt, &panel_, &ViewPanel::highlightPlace);
+    connect(&panels.question, &ReviewForm::drawPlaceRequested, &places,
+            [&places, &form = panels.question](PlaceKind kind) {
+                places.draw(kind, [&form](const std::string& name) { form.takeDrawn(name); });
+            });
     connect(&panels.answer, &ReviewDock::placePointedAt, &panel_, &ViewPanel::highlightPlace);
     connect(&panels.answer, &ReviewDock::zoomRequested, &places, &PlaceActions::zoomTo);
     connect(&review_, &ReviewSession::failed, &panel_.messages(), &MessageBar::showError);

@@ -37,7 +37,9 @@ public:
     static constexpr double quickSeconds = 10;
 
     void runAgainIfQuick();  ///< the displayed kind of result, after an edit or a change of scenario
-    void repeatSaved();      ///< the result displayed when the opened project was saved, or says how to
+    /// The result displayed when the opened project was saved, or says how to; while exploring, where no
+    /// result is shown, offers it.
+    void repeatSaved();
 
 private:
     void run();
@@ -46,6 +48,7 @@ private:
     void savePeriod();
     void compare();
     [[nodiscard]] bool showMeasured();
+    void offerMeasured();
     void announceLongRun(const RunEstimate& estimate);
     void showStopped(bool cancelled);
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/questions/question.h"
+#include "app/questions/review_question.h"
 #include "core/study/provenance/study_hash.h"
 #include "scenarios/project/results/saved_answer.h"
 
@@ -19,8 +20,9 @@ bool isKnownByHash(const Answer& answer) {
     return answer.settings() && !answer.points() && &answer.question() != &byPlaceQuestion();
 }
 
-// Of a result of an earlier session, whose question is known by its hash only.
+// Of a result of an earlier session, whose question is known by its hash, or by what a review states.
 bool isReplaced(const SavedResult& read, const Answer& later) {
+    if (const auto* review = later.as<ReviewAnswer>()) return isReviewOf(read, review->question);
     const MeasuredPart part = later.part();
     if (!isKnownByHash(later) || read.kind != later.question().key || read.scenario != part.scenario ||
         read.baseline != part.baseline)

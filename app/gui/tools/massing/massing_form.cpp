@@ -4,8 +4,10 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGroupBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSpinBox>
+#include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -82,6 +84,13 @@ QDoubleSpinBox* rotationField() {
     return numberField(range.min, range.max, 1, 1, QStringLiteral("°"));
 }
 
+// Of a narrow panel: fields that are read together share a row.
+QHBoxLayout* sideBySide(std::initializer_list<QWidget*> widgets) {
+    auto* row = new QHBoxLayout;
+    for (QWidget* widget : widgets) row->addWidget(widget, qobject_cast<QLabel*>(widget) ? 0 : 1);
+    return row;
+}
+
 void explain(QWidget& widget, std::string_view flag) { widget.setToolTip(translated(towerField(flag).help)); }
 
 }  // namespace
@@ -122,24 +131,18 @@ void MassingForm::makeFields() {
                             .arg(describeLength(2000, 0)));
     explain(*turn_, "--turn");
     podiumStoreys_->setToolTip(tr("Fewer than all storeys"));
-    podium_->setCheckable(true);
-    podium_->setChecked(false);
-    auto* podium = new QFormLayout(podium_);
-    podium->addRow(tr("Storeys"), podiumStoreys_);
-    podium->addRow(tr("Plate"), podiumPlate_);
-    podium->addRow(tr("Taper, twist"), podiumWalls_);
+    placePodium();
     auto* form = new QFormLayout;
-    form->addRow(translated(towerField("--storeys").label), storeys_);
-    form->addRow(translated(towerField("--storey-height").label), storeyHeight_);
+    form->addRow(translated(towerField("--storeys").label),
+                 sideBySide({storeys_, new QLabel(QStringLiteral("×")), storeyHeight_}));
     form->addRow(heightLabel_, height_);
     form->addRow(tr("Floor plate"), plate_);
-    form->addRow(translated(towerField("--turn").label), turn_);
-    form->addRow(tr("Taper, twist"), walls_);
+    form->addRow(tr("Turn, taper, twist"), sideBySide({turn_, walls_}));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(form);
-    column->addWidget(podium_);
     column->addWidget(setbacks_);
+    column->addWidget(podium_);
     column->addWidget(uses_);
     gap_->setObjectName(QStringLiteral("towerGap"));
     explain(*gap_, "--gap");
@@ -148,6 +151,27 @@ void MassingForm::makeFields() {
     column->addWidget(further_);
     column->addLayout(apart);
     setGround(0);
+}
+
+// Folded until there is one, so that what towers have more often is in sight on low screens.
+void MassingForm::placePodium() {
+    podium_->setCheckable(true);
+    podium_->setChecked(false);
+    auto* fields = new QWidget;
+    auto* rows = new QFormLayout(fields);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->addRow(tr("Storeys"), podiumStoreys_);
+    rows->addRow(tr("Plate"), podiumPlate_);
+    rows->addRow(tr("Taper, twist"), podiumWalls_);
+    auto* column = new QVBoxLayout(podium_);
+    column->addWidget(fields);
+    const auto fold = [this, fields, column](bool has) {
+        const int marginPx = has ? style()->pixelMetric(QStyle::PM_LayoutTopMargin) : 0;
+        column->setContentsMargins(marginPx, marginPx, marginPx, marginPx);
+        fields->setVisible(has);
+    };
+    connect(podium_, &QGroupBox::toggled, fields, fold);
+    fold(false);
 }
 
 void MassingForm::setGround(double groundElevationM) {

@@ -66,6 +66,7 @@ Q_SIGNALS:
 
 private:
     void makeFields();
+    void placePodium();
     void connectFields();
     void takeHeight();
     void takeRest();

@@ -33,7 +33,7 @@ namespace {
 
 enum TargetKind { floorAreaKind, ratioKind };
 
-constexpr double firstAreaM2 = 10000, firstRatio = 5, largestAreaM2 = 1e7, largestRatio = 1000;
+constexpr double largestAreaM2 = 1e7, largestRatio = 1000;
 
 bool isInFeet() { return unitsInUse() == UnitSystem::imperial; }
 double squareMetresShown() { return isInFeet() ? squareMetresPerSquareFoot : 1; }
@@ -49,7 +49,9 @@ TargetRow::TargetRow(QWidget* parent)
     number_->setObjectName(QStringLiteral("targetNumber"));
     kind_->setToolTip(
         tr("Gross floor area, or floor area ratio: gross floor area divided by the lot's area"));
-    number_->setToolTip(tr("What the tower shall have; press a button below to reach it"));
+    number_->setToolTip(
+        tr("What the tower shall have: type it, and storeys or plate are fitted; else what it has"));
+    number_->setKeyboardTracking(false);  // a number is fitted when it is complete
     auto* storeys = pushButton(tr("Fit storeys"), "fitStoreys", tr("The most storeys that stay within it"));
     auto* plate =
         pushButton(tr("Fit plate"), "fitPlate", tr("The floor plate with which these storeys reach it"));
@@ -61,23 +63,52 @@ TargetRow::TargetRow(QWidget* parent)
     grid->addWidget(plate, 1, 1);
     choose(floorAreaKind);
     connect(kind_, &QComboBox::activated, this, &TargetRow::choose);
-    connect(storeys, &QPushButton::clicked, this,
-            [this] { Q_EMIT fitRequested(target(FloorAreaBy::storeys)); });
-    connect(plate, &QPushButton::clicked, this, [this] { Q_EMIT fitRequested(target(FloorAreaBy::plate)); });
+    for (QPushButton* button : {storeys, plate}) {
+        button->setCheckable(true);
+        button->setAutoExclusive(true);
+    }
+    storeys->setChecked(true);
+    connect(number_, &QDoubleSpinBox::valueChanged, this, &TargetRow::fitTyped);
+    connect(storeys, &QPushButton::clicked, this, [this] { fit(FloorAreaBy::storeys); });
+    connect(plate, &QPushButton::clicked, this, [this] { fit(FloorAreaBy::plate); });
 }
 
-// Sets the number's range, unit and first value.
+void TargetRow::fit(FloorAreaBy by) {
+    by_ = by;
+    fitTyped();
+}
+
+// What is stated stays although whole storeys give less; a change of the tower by other fields ends it.
+void TargetRow::fitTyped() {
+    isFitting_ = true;
+    Q_EMIT fitRequested(target());
+    isFitting_ = false;
+}
+
+void TargetRow::showReached(double grossFloorM2, double ratio) {
+    reachedM2_ = grossFloorM2;
+    reachedRatio_ = ratio;
+    if (!isFitting_) showNumber();
+}
+
+void TargetRow::showNumber() {
+    const QSignalBlocker quiet(number_);
+    number_->setValue(kind_->currentIndex() == ratioKind ? reachedRatio_ : reachedM2_ / squareMetresShown());
+}
+
+// Sets the number's range and unit. Of the other kind nothing is stated yet.
 void TargetRow::choose(int kind) {
+    const QSignalBlocker quiet(number_);
     const bool ratio = kind == ratioKind;
     number_->setDecimals(ratio ? 2 : 0);
     number_->setSuffix(ratio ? QString() : isInFeet() ? tr(" sq ft") : QStringLiteral(" m²"));
     number_->setRange(ratio ? 0.01 : 1, ratio ? largestRatio : largestAreaM2 / squareMetresShown());
     number_->setSingleStep(ratio ? 0.5 : 500);
-    number_->setValue(ratio ? firstRatio : firstAreaM2 / squareMetresShown());
+    showNumber();
 }
 
-FloorAreaTarget TargetRow::target(FloorAreaBy by) const {
-    FloorAreaTarget target{.by = by};
+FloorAreaTarget TargetRow::target() const {
+    FloorAreaTarget target{.by = by_};
     if (kind_->currentIndex() == ratioKind)
         target.floorAreaRatio = number_->value();
     else
@@ -133,6 +164,7 @@ MassingPanel::MassingPanel(QWidget* parent)
       body_(new QWidget),
       on_(new QLabel),
       name_(new QLineEdit),
+      target_(new TargetRow),
       form_(new MassingForm) {
     on_->setWordWrap(true);
     name_->setMaxLength(80);
@@ -140,8 +172,7 @@ MassingPanel::MassingPanel(QWidget* parent)
     auto* names = new QFormLayout;
     names->addRow(tr("On"), on_);
     names->addRow(tr("Name"), name_);
-    auto* target = new TargetRow;
-    names->addRow(tr("Target"), target);
+    names->addRow(tr("Target"), target_);
     auto* inside = new QVBoxLayout(body_);
     inside->setContentsMargins(0, 0, 0, 0);
     inside->addLayout(names);
@@ -161,7 +192,7 @@ MassingPanel::MassingPanel(QWidget* parent)
     column->addWidget(scroll_, 1);
     footer_ = makeFooter();
     column->addWidget(footer_);
-    connect(target, &TargetRow::fitRequested, this, &MassingPanel::fitRequested);
+    connect(target_, &TargetRow::fitRequested, this, &MassingPanel::fitRequested);
     connect(form_, &MassingForm::edited, this, &MassingPanel::edited);
     connect(name_, &QLineEdit::textEdited, this, &MassingPanel::edited);
     // Their largest numbers are far wider than the usual ones.
@@ -411,6 +442,7 @@ TowerDraft MassingPanel::draft() const {
 void MassingPanel::showFigures(const Massing& massing, std::size_t demolished, double groundElevationM) {
     form_->setGround(groundElevationM);
     form_->markWrong(nullptr);
+    target_->showReached(massing.figures.grossFloorM2, massing.figures.floorAreaRatio);
     figures_->setText(makeRows(massing, demolished, groundElevationM));
     error_->clear();
     for (QWidget* one : std::initializer_list<QWidget*>{error_, nearest_}) one->hide();

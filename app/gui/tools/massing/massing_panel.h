@@ -18,22 +18,30 @@ class QScrollArea;
 
 namespace noonmark {
 
-/// A floor area or a floor area ratio that the tower shall have, and buttons that fit it.
+/// A floor area or a floor area ratio that the tower shall have. Typed, the tower takes it at once, by its
+/// storeys or by its plate, as the buttons state; else the row has what the tower has.
 class TargetRow final : public QWidget {
     Q_OBJECT
 public:
     explicit TargetRow(QWidget* parent = nullptr);
 
-    [[nodiscard]] FloorAreaTarget target(FloorAreaBy by) const;
+    [[nodiscard]] FloorAreaTarget target() const;
+    void showReached(double grossFloorM2, double ratio);  ///< what the tower has, without a signal
 
 Q_SIGNALS:
     void fitRequested(noonmark::FloorAreaTarget target);
 
 private:
     void choose(int kind);
+    void fit(FloorAreaBy by);
+    void fitTyped();
+    void showNumber();
 
     QComboBox* kind_;
     QDoubleSpinBox* number_;
+    FloorAreaBy by_ = FloorAreaBy::storeys;
+    bool isFitting_ = false;
+    double reachedM2_ = 0, reachedRatio_ = 0;
 };
 
 class MassingForm;
@@ -109,6 +117,7 @@ private:
     QLabel* hint_;  ///< what to do where there are no lots
     QLabel* on_;
     QLineEdit* name_;
+    TargetRow* target_;
     MassingForm* form_;
     QCheckBox* facades_;
     QCheckBox* change_;

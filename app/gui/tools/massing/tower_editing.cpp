@@ -81,6 +81,7 @@ void TowerEditing::resume(TowerDraft draft) {
     if (!context_.city) return;
     draft_ = std::move(draft);
     possible_.reset();
+    fit_.reset();
     Q_EMIT began();
     panel_.showDraft(*draft_);
     show();
@@ -102,8 +103,13 @@ void TowerEditing::take() {
 void TowerEditing::fit(const FloorAreaTarget& target) {
     if (!draft_) return;
     const Footprint& lot = draft_->lot.outline;
-    const auto fitted = fitFloorArea(lot, draft_->settings, *target.areaOn(lot), target.by);
+    const double wantedM2 = *target.areaOn(lot);
+    // The other button for the same area begins with the tower as it was before the first.
+    const bool isOther = fit_ && fit_->wantedM2 == wantedM2 && fit_->fitted == draft_->settings;
+    const MassingSettings from = isOther ? fit_->from : draft_->settings;
+    const auto fitted = fitFloorArea(lot, from, wantedM2, target.by);
     if (!fitted) return panel_.showNotReached(fitted.error());
+    fit_ = {wantedM2, from, *fitted};
     draft_->settings = *fitted;
     panel_.showDraft(*draft_);
     show();

@@ -68,7 +68,12 @@ private:
     std::vector<Edit> edits_;                  ///< of the draft; empty while it is invalid
     std::optional<MassingSettings> possible_;  ///< of the draft, as they could be built last
     std::optional<NearestFit> nearest_;        ///< to what cannot be built
-    std::optional<TowerDraft> built_;          ///< the last tower
+    struct Fit {
+        double wantedM2;
+        MassingSettings from, fitted;
+    };
+    std::optional<Fit> fit_;           ///< the last one of the draft
+    std::optional<TowerDraft> built_;  ///< the last tower
 };
 
 }  // namespace noonmark

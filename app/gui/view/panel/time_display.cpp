@@ -148,7 +148,26 @@ void TimeDisplay::leavePresent() {
 void TimeDisplay::showPeriod() {
     ShownTime look = panel_.time().look();
     look.span = ShownSpan::period;
-    panel_.time().choose(look);
+    panel_.time().choose(inPeriod(look));
+}
+
+// Its first day, where the shown one is of no day of it: no other date stands beside that of the result.
+ShownTime TimeDisplay::inPeriod(ShownTime look) const {
+    const Period& period = workbench_.document().settings().period;
+    const std::chrono::sys_days first(period.start), shown(look.date);
+    if (shown < first || shown >= first + std::chrono::days(period.days)) look.date = period.start;
+    return look;
+}
+
+void TimeDisplay::setDesigning(bool designing) {
+    if (designing && showsMoment()) {
+        beforeDesign_ = Before{panel_.time().look(), present_};
+        return showPeriod();
+    }
+    const auto before = designing ? std::nullopt : std::exchange(beforeDesign_, std::nullopt);
+    if (!before || showsMoment()) return;
+    present_ = before->present;
+    panel_.time().choose(before->look);
 }
 
 bool TimeDisplay::showsPresent() const { return present_ && present_->look == panel_.time().look(); }
@@ -180,10 +199,8 @@ void TimeDisplay::followPeriod() {
     const Period& period = workbench_.document().settings().period;
     const std::pair days(period.start, period.days);
     if (const auto before = std::exchange(days_, days); !before || *before == days) return;
-    const std::chrono::sys_days first(period.start), shown(panel_.time().look().date);
-    if (shown >= first && shown < first + std::chrono::days(period.days)) return;
-    ShownTime look = panel_.time().look();
-    look.date = period.start;
+    const ShownTime look = inPeriod(panel_.time().look());
+    if (look == panel_.time().look()) return;
     const bool isPresent = showsPresent();
     panel_.time().choose(look);
     if (!isPresent) return;
@@ -203,6 +220,7 @@ void TimeDisplay::freeLabel() {
 }
 
 void TimeDisplay::look(const ShownTime& look) {
+    if (look.span == ShownSpan::period && look != inPeriod(look)) return panel_.time().choose(inPeriod(look));
     moments_.look(look);
     showSun();
     Q_EMIT momentChanged();

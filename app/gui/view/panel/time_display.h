@@ -36,6 +36,9 @@ public:
     /// drawn. The strip must show a moment.
     void showSunFrom(const glm::dvec3& towards, std::function<void()> then);
     void showStripSun() { showSun(); }
+    /// While an edit is shaped the view shows what it changes in the study's period, and so does the strip;
+    /// then the moment of before returns.
+    void setDesigning(bool designing);
     void offer();  ///< after another city, period or result is shown
     [[nodiscard]] bool showsMoment() const;
     /// "21 June 2026, 12:00. Sun 180° S, 72° high", and whether it stands for the night; empty: no moment is
@@ -64,6 +67,7 @@ private:
     void look(const ShownTime& look);
     void leavePresent();
     void showPeriod();
+    [[nodiscard]] ShownTime inPeriod(ShownTime look) const;
     void followPeriod();
     void freeLabel();
     [[nodiscard]] bool showsPresent() const;
@@ -88,7 +92,12 @@ private:
     Clock clock_ = [] {
         return std::chrono::time_point_cast<Instant::duration>(std::chrono::system_clock::now());
     };
-    std::optional<PresentTime> present_;             ///< of showPresent()
+    std::optional<PresentTime> present_;  ///< of showPresent()
+    struct Before {
+        ShownTime look;
+        std::optional<PresentTime> present;
+    };
+    std::optional<Before> beforeDesign_;
     std::optional<std::pair<CivilDate, int>> days_;  ///< first day and days of the document's period
     QTimer* rest_;                                   // then the shadow is drawn finely
     QPointF turned_;                                 // minutes and days of a drag that are not whole yet

@@ -75,7 +75,7 @@ protected:
     }
 
 private:
-    static constexpr int timeShare = 4, legendShare = 5;
+    static constexpr int timeShare = 2, legendShare = 3;
     static constexpr int minStripsWidth = 256;
     static constexpr int minRowWidth = 1200;  // with the words of both strips
     QBoxLayout* row_;

@@ -23,7 +23,10 @@ namespace {
 
 constexpr int tickMs = 40;
 constexpr int minStripWidth = 256;  // with what cannot be left out
-constexpr int fullWidth = 600;      // narrower strips hide loop, speed and the words about the sun
+// Narrower strips hide loop and speed, and before these the words about the sun, which the note of the legend
+// has, too: sliders need room for the names of their marks.
+constexpr int fullWidth = 640, wordyWidth = 800;
+constexpr int answerWidth = 500;                 // with what was computed for the moment, where there is such
 constexpr std::array playSpeeds{0.5, 1.5, 4.0};  // hours of the day, or weeks of the year, in a second
 
 MarkedSlider* slider(const char* name, const QString& tip, int last, int page) {
@@ -143,11 +146,12 @@ QSize TimeStrip::minimumSizeHint() const { return {minStripWidth, QWidget::minim
 
 void TimeStrip::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    const bool full = width() >= fullWidth;
+    const bool full = width() >= fullWidth, wordy = width() >= wordyWidth;
     const int sunWidth = fontMetrics().horizontalAdvance(QStringLiteral("Sun 208° SSW, 88° high "));
-    for (QWidget* widget : std::initializer_list<QWidget*>{loop_, speed_, sunWords_, words_})
-        widget->setVisible(full);
-    static_cast<QGridLayout*>(layout())->setColumnMinimumWidth(3, full ? sunWidth : 0);
+    for (QWidget* widget : {loop_, speed_}) widget->setVisible(full);
+    words_->setVisible(width() >= answerWidth);
+    sunWords_->setVisible(wordy);
+    static_cast<QGridLayout*>(layout())->setColumnMinimumWidth(3, wordy ? sunWidth : 0);
 }
 
 void TimeStrip::connectFields() {
