@@ -303,6 +303,14 @@ std::vector<CivilDate> datesOf(const Json& place) {
     return dates;
 }
 
+// Those that a place's figures have in one city, without their sun.
+std::vector<SunWithTrees> treeColumnsOf(const Json& figures) {
+    std::vector<SunWithTrees> columns;
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+        if (figures.contains(sunFiguresWithTrees(column).front().key)) columns.push_back({column, {}});
+    return columns;
+}
+
 // What the figures of all cities have in common: their settings, places and dates.
 SunByPlace sunWithoutFigures(const Json& json) {
     SunByPlace sun;
@@ -318,9 +326,7 @@ SunByPlace sunWithoutFigures(const Json& json) {
     const Json seasons = json.value("seasons", Json::object());
     for (const auto& season : seasons.items()) sun.seasons.push_back({season.key(), season.value()});
     if (places.empty()) return sun;
-    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
-        if (places[0].contains(sunFiguresWithTrees(column).front().key))
-            sun.withTrees.push_back({column, {}});
+    sun.withTrees = treeColumnsOf(places[0]);
     sun.treesHow = json.value("engine_trees", std::string());
     const Json months = places[0].value("month_hours", Json::object());
     for (const auto& month : months.items()) sun.months.push_back(month.key());
@@ -343,6 +349,8 @@ std::vector<ComparedSun> citiesOf(const Json& json, const SunByPlace& baseline) 
         cities.push_back({baseline, {}});
         cities.back().sun.name = scenario.at("name");
         cities.back().sun.errors = savedErrors(scenario);
+        if (const Json& places = json.at("places"); !places.empty())
+            cities.back().sun.withTrees = treeColumnsOf(places[0].at("scenarios").at(scenario.at("name")));
     }
     return cities;
 }

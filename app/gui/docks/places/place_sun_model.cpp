@@ -38,17 +38,10 @@ bool isShare(const Figure& figure) { return figure.unit == FigureUnit::share; }
 // Changes are told in minutes throughout.
 bool isChangeOfHours(const Figure& figure) { return figure.isChange && figure.unit == FigureUnit::none; }
 
-bool isHoursOfSun(const Figure& figure) {
-    return !isShare(figure) && !isChangeOfHours(figure) && figure.unit != FigureUnit::squareMetres &&
-           figure.unit != FigureUnit::minutesADay;
-}
-
-// Least sun is most shadow.
-QString shadowHeading(const Figure& figure) {
-    if (figure.key == minKey) return QObject::tr("Max shadow, min");
-    if (figure.key == maxKey) return QObject::tr("Min shadow, min");
-    return figure.key == meanKey ? QObject::tr("Mean shadow, min")
-                                 : QObject::tr("%1: minutes of shadow").arg(translated(figure.label));
+// Figures with trees have a name of their own.
+QString shadowHeading(const Figure& figure, const ShadowFigure& shadow) {
+    return figure.key == shadow.sunKey ? QObject::tr("%1, min").arg(translated(shadow.label))
+                                       : QObject::tr("%1: minutes of shadow").arg(translated(figure.label));
 }
 
 QString columnHeading(const Figure& figure) {
@@ -170,8 +163,8 @@ void PlaceSunModel::makeColumns() {
 
 void PlaceSunModel::addFigure(const Figure& figure, const std::vector<SunOfPlace>& sun) {
     const double factor = isShare(figure) ? percentOfWhole : 1;
-    const bool inShadow = isHoursOfSun(figure) && !showsSun({});
-    FigureColumn column{inShadow ? shadowHeading(figure) : columnHeading(figure),
+    const ShadowFigure* inShadow = showsSun({}) ? nullptr : findShadow(figure);
+    FigureColumn column{inShadow ? shadowHeading(figure, *inShadow) : columnHeading(figure),
                         inShadow ? tr("Minutes of shadow a day: the sunlit time without the sun")
                                  : translatedSentence(figure.definition),
                         isShare(figure) || inShadow ? 0 : figure.shownDecimals,
