@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/receivers/place_names.h"
 #include "core/study/provenance/provenance_texts.h"
 #include "core/study/provenance/study_hash.h"
 #include "scenarios/project/results/saved_answer.h"
