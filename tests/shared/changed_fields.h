@@ -74,7 +74,7 @@ inline std::set<std::string> namesOf(const std::vector<CommandOption>& options) 
     return names;
 }
 
-/// Changes each field of `standard` where it applies, and holds all surfaces against it.
+/// Changes each field of `standard` where it applies, and holds all interfaces against it.
 template <class S>
 void expectNoticed(const Fields<S>& fields, const S& standard) {
     for (const Field& field : fields.rows()) {
