@@ -308,4 +308,52 @@ void PlacesDock::select(std::size_t place) {
     table_->scrollTo(row);
 }
 
+PlaceSunFilter::PlaceSunFilter(QObject* parent) : QSortFilterProxyModel(parent) {
+    setRecursiveFilteringEnabled(true);
+}
+
+const PlaceSunModel& PlaceSunFilter::model() const {
+    return *static_cast<const PlaceSunModel*>(sourceModel());
+}
+
+void PlaceSunFilter::setText(const QString& text) {
+    text_ = text;
+    invalidateFilter();
+}
+
+void PlaceSunFilter::setKind(std::optional<PlaceKind> kind) {
+    kind_ = kind;
+    invalidateFilter();
+}
+
+void PlaceSunFilter::setLimit(std::optional<Limit> limit) {
+    if (limit == limit_) return;
+    limit_ = limit;
+    invalidateFilter();
+}
+
+// A place without figures has not less.
+bool PlaceSunFilter::accepts(std::size_t place) const {
+    const Place& of = model().sun()->baseline.places[place];
+    if (kind_ && of.kind != *kind_) return false;
+    if (limit_ && !limit_->holds(model().hoursOf(place, limit_->of))) return false;
+    return text_.isEmpty() || placeName(of.name).contains(text_, Qt::CaseInsensitive);
+}
+
+// Without a QVariant for each value: thousands of rows are sorted at a click. Rows without a number come last
+// in both orders.
+bool PlaceSunFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
+    if (left.column() < PlaceSunModel::firstFigure)
+        return QString::localeAwareCompare(left.data().toString(), right.data().toString()) < 0;
+    const double a = model().valueAt(left), b = model().valueAt(right);
+    if (std::isnan(a) || std::isnan(b))
+        return std::isnan(a) != std::isnan(b) && std::isnan(a) == (sortOrder() == Qt::DescendingOrder);
+    return a < b;
+}
+
+bool PlaceSunFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
+    const auto place = model().placeOf(model().index(row, 0, parent));
+    return place && accepts(*place);  // a row above places stays for those below it
+}
+
 }  // namespace noonmark
