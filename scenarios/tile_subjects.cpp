@@ -11,6 +11,7 @@
 #include "core/study/tiles/tile_maps.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/weights/score.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 
@@ -20,22 +21,35 @@ struct FieldPair {
     ShadowField before, after;
 };
 
-std::map<std::string, double> listFigures(const Impact& impact) {
-    const ImpactFigures all = computeFigures(impact, 0), large = computeFigures(impact);
-    const std::string minutes = fmt::format("{:g}_min", large.thresholdMin);
-    return {{"touched_m2", all.gross.anyMoreShadowM2},
-            {"eased_m2", all.gross.anyLessShadowM2},
-            {"gained_over_" + minutes + "_m2", large.gross.moreShadowM2},
-            {"lost_over_" + minutes + "_m2", large.gross.lessShadowM2},
-            {"shadow_area_change_m2", all.shadowAreaChangeM2},
-            {"became_building_m2", all.becameBuildingM2},
-            {"became_ground_m2", all.becameGroundM2}};
+// Areas add up over tiles; that of all receivers is stated with the sums of the tiles.
+bool isSummedOverTiles(const Figure& figure) {
+    return figure.inFiles && figure.unit == FigureUnit::squareMetres && figure.key != "receiver_area_m2";
 }
 
-// The change of the shadow with trees: "touched_m2_seasonal". What became building is the same.
-void addFigures(std::map<std::string, double>& figures, const ShadeImpact& with) {
-    for (const auto& [name, value] : listFigures(with.impact))
-        if (!name.starts_with("became_")) figures[name + suffixOf(with.column)] = value;
+// "gained_over_30_min_m2" for "gained_m2".
+std::string keyOver(const Figure& figure, double thresholdMin) {
+    constexpr std::string_view unit = "_m2";
+    const std::string_view name = figure.key.substr(0, figure.key.size() - unit.size());
+    return fmt::format("{}_over_{:g}_min{}", name, thresholdMin, unit);
+}
+
+// With trees: "touched_m2_seasonal", the change of the shadow alone. What became building is the same.
+void addFigures(std::map<std::string, double>& figures, const Impact& impact, const std::string& trees) {
+    const ImpactFigures all = computeFigures(impact, 0), large = computeFigures(impact);
+    for (const Figure& figure : changeFigures().rows())
+        if (isSummedOverTiles(figure) && figure.byThreshold)
+            figures[keyOver(figure, large.thresholdMin) + trees] = figure.get(&large.gross);
+        else if (isSummedOverTiles(figure))
+            figures[std::string(figure.key) + trees] = figure.get(&all.gross);
+    for (const Figure& figure : impactFigures().rows())
+        if (isSummedOverTiles(figure) && (trees.empty() || figure.use == FigureUse::result))
+            figures[std::string(figure.key) + trees] = figure.get(&all);
+}
+
+std::map<std::string, double> listFigures(const Impact& impact) {
+    std::map<std::string, double> figures;
+    addFigures(figures, impact, {});
+    return figures;
 }
 
 class ImpactMeasure : public TileMeasure {
@@ -103,7 +117,7 @@ private:
             const ShadowField& after = fieldOfColumn(fields.after, column);
             const ShadeImpact with{column, computeDifference(before, after, common.change)};
             answer.result.withTrees.push_back({column, computeSums(after)});
-            addFigures(answer.result.figures, with);
+            addFigures(answer.result.figures, with.impact, suffixOf(column));
             addBands(answer, before, after, with.impact);
         }
         const auto& shade = fields.after.trees ? fields.after.trees : fields.before.trees;
@@ -177,17 +191,21 @@ std::vector<TileMap> listImpactMaps(const LegendChoice& legend) {
 
 namespace {
 
+void addResults(std::map<std::string, double>& figures, const DescribedFigures& of,
+                const std::string& suffix) {
+    for (const Figure& figure : of.figures)
+        if (figure.inFiles && figure.use == FigureUse::result)
+            figures[std::string(figure.key) + suffix] = of.get(figure);
+}
+
+// "score_m2_2026-07_seasonal"
 void addFigures(std::map<std::string, double>& figures, const ScoreTotals& totals,
-                const std::vector<MonthFigures>& months, const std::string& suffix) {
-    figures["weighted_shade_m2h" + suffix] = totals.weightedShadeM2h;
-    figures["score_m2" + suffix] = totals.scoreM2;
-    for (const MonthFigures& month : months) {
-        const std::string name =
-            fmt::format("{:04}-{:02}{}", int(month.month.year()), unsigned(month.month.month()), suffix);
-        figures["weighted_shade_m2h_" + name] = month.weightedShadeM2h;
-        figures["score_m2_" + name] = month.scoreM2;
-        figures["shadow_area_m2_" + name] = month.shadowAreaM2;
-    }
+                const std::vector<MonthFigures>& months, const std::string& trees) {
+    addResults(figures, scoreFigures().of(totals), trees);
+    for (const MonthFigures& month : months)
+        addResults(
+            figures, scoreMonthFigures().of(month),
+            fmt::format("_{:04}-{:02}{}", int(month.month.year()), unsigned(month.month.month()), trees));
 }
 
 std::map<std::string, double> listFigures(const Score& score) {

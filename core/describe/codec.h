@@ -21,7 +21,7 @@ namespace noonmark {
 /// Numbers by name, such as the options of an engine.
 using NamedNumbers = std::map<std::string, double, std::less<>>;
 
-/// What a field holds, for surfaces that do not know the type of its member. std::monostate: not set.
+/// What a field holds, for interfaces that do not know the type of its member. std::monostate: not set.
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
                            std::vector<std::string>, NamedNumbers>;
 
@@ -33,7 +33,7 @@ struct ValueRange {
     [[nodiscard]] bool holds(double number) const { return number >= min && number <= max; }
 };
 
-/// The alternatives of Value as surfaces treat them. A choice is the key of one of the field's choices, as
+/// The alternatives of Value as interfaces treat them. A choice is the key of one of the field's choices, as
 /// text.
 enum class ValueKind { yesNo, whole, number, text, choice, numbers, texts, namedNumbers };
 

@@ -1,9 +1,9 @@
 #pragma once
 
 // The folder core/describe says what the settings of the program are, each once. A Field (this file) is one
-// row for one member of a struct of settings: its key, flag, label, unit, range, default. Surfaces loop over
-// the rows: JSON (field_json.h), command lines (command_options.h), checks and comparison (field_values.h),
-// options of the command line (app/cli/options/field_options.h) and form rows
+// row for one member of a struct of settings: its key, flag, label, unit, range, default. Interfaces loop
+// over the rows: JSON (field_json.h), command lines (command_options.h), checks and comparison
+// (field_values.h), options of the command line (app/cli/options/field_options.h) and form rows
 // (app/gui/base/widgets/field_rows.h). The tables stand beside the structs: core/sun/period_fields.h.
 
 #include <functional>
@@ -69,7 +69,7 @@ struct Field : FieldFacts {
     std::function<Result<void>(void*, const Value&)> set{};  ///< error: a value of another kind or form
 };
 
-/// A struct with its fields, as surfaces take it. Refers to both: of a temporary only within its expression.
+/// A struct with its fields, as interfaces take it. Refers to both: a temporary only within its expression.
 struct Described {
     std::span<const Field> fields;
     const void* object = nullptr;
@@ -209,7 +209,7 @@ FieldOf<S> derivedField(ValueKind kind, Value (*get)(const S&), Result<void> (*s
     return FieldOf<S>(std::move(row));
 }
 
-/// The fields of S, in the order in which surfaces state them. Keys are unique within their group, flags in
+/// The fields of S, in the order in which interfaces state them. Keys are unique within their group, flags in
 /// the table.
 template <class S>
 class Fields {

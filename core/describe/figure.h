@@ -89,7 +89,7 @@ struct Figure : FigureFacts {
 /// Whether people are shown the figure where shadow or sun is shown. Files state all figures.
 inline bool isShownAs(const FigureFacts& figure, ShownAs show) { return isShownAs(figure.shownWith, show); }
 
-/// A result with its figures, as surfaces take it. Refers to both: of a temporary only within its expression.
+/// A result with its figures, as interfaces take it. Refers to both: a temporary only in its expression.
 struct DescribedFigures {
     std::span<const Figure> figures;
     const void* object = nullptr;
@@ -114,7 +114,7 @@ Figure derivedFigure(double (*get)(const R&), FigureFacts facts) {
     return row;
 }
 
-/// The figures of R, in the order in which surfaces state them. Keys are unique.
+/// The figures of R, in the order in which interfaces state them. Keys are unique.
 template <class R>
 class Figures {
 public:

@@ -46,9 +46,8 @@ void addMinutes(const std::vector<float>& taken, const Receivers& receivers, Sha
     }
 }
 
-// The runs of buildings alone stay those of the field; crowns count where they make a longer one.
-void addRuns(const std::vector<float>& with, const std::vector<float>& without, const Receivers& receivers,
-             ShadowField& column) {
+void addRunsOfColumn(const std::vector<float>& with, const std::vector<float>& without,
+                     const Receivers& receivers, ShadowField& column) {
     for (std::size_t i = 0; i < with.size(); ++i) {
         float& longest = column.continuousMin[receivers.cells[i]];
         if (with[i] > without[i]) longest = std::max(longest, with[i]);
@@ -73,13 +72,17 @@ Result<std::shared_ptr<const TreeShade>> sweepTrees(const City& city, const Rece
     TreeShade shade = makeTreeShade(field, taken->treesUsed);
     addMinutes(taken->evergreen.front(), receivers, *shade.evergreen);
     addMinutes(taken->seasonal.front(), receivers, *shade.seasonal);
-    addRuns(taken->runs.evergreen, taken->runs.without, receivers, *shade.evergreen);
-    addRuns(taken->runs.seasonal, taken->runs.without, receivers, *shade.seasonal);
+    addRuns(taken->runs, receivers, shade);
     shade.how = taken->how;
     return std::make_shared<const TreeShade>(std::move(shade));
 }
 
 }  // namespace
+
+void addRuns(const SweptRuns& runs, const Receivers& receivers, TreeShade& shade) {
+    addRunsOfColumn(runs.evergreen, runs.without, receivers, *shade.evergreen);
+    addRunsOfColumn(runs.seasonal, runs.without, receivers, *shade.seasonal);
+}
 
 City withTreesFor(City city, TreeColumns columns) {
     if (columns == TreeColumns::without) city.trees.reset();

@@ -45,6 +45,12 @@ Result<std::shared_ptr<const TreeShade>> shadeTrees(const City& city, const Rece
                                                     TreeColumns columns, Progress& progress,
                                                     const std::stop_token& stop);
 
+struct SweptRuns;
+
+/// Adds the longest runs of a sweep to columns that have those of buildings alone: crowns count where the
+/// sweep has longer ones with them than without.
+void addRuns(const SweptRuns& runs, const Receivers& receivers, TreeShade& shade);
+
 /// A period's shadow by sets of steps with trees; at least one is there.
 struct ShadedSets {
     std::optional<ShadowBreakdown> evergreen;  ///< every tree in leaf all year

@@ -2,6 +2,7 @@
 
 #include "core/describe/text.h"
 #include "core/receivers/roof_receivers.h"
+#include "core/study/review_study.h"
 #include "core/sun/period_fields.h"
 
 namespace noonmark {
@@ -177,6 +178,26 @@ const Fields<StudySettings>& studyFields() {
                                    .with(treeFields())
                                    .embed(&StudySettings::errorSample, sampleFields())
                                    .with(limitFields());
+    return fields;
+}
+
+const Fields<ReviewSettings>& reviewFields() {
+    static const Fields<ReviewSettings> fields{
+        field(&ReviewSettings::year, {.key = "year",
+                                      .flag = "--year",
+                                      .label = "Year",
+                                      .help = "Year of the days (default: that of the first period, or 2026)",
+                                      .hint = "YEAR",
+                                      .range = ValueRange{1901, 2099},
+                                      .restated = true}),
+        field(&ReviewSettings::zone, {.key = "zone",
+                                      .flag = "--zone",
+                                      .label = "Time zone",
+                                      .help = "Time zone (default: that of the project's periods)",
+                                      .hint = "ZONE",
+                                      .entry = TextEntry::zone,
+                                      .restated = true}),
+        field(&ReviewSettings::cellM, cellSizeFacts())};
     return fields;
 }
 

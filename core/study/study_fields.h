@@ -5,11 +5,11 @@
 
 namespace noonmark {
 
-/// All settings of a study. The region stands with its name only; its polygons are written by the surfaces
+/// All settings of a study. The region stands with its name only; its polygons are written by those
 /// that need them.
 const Fields<StudySettings>& studyFields();
 
-/// Parts of that table, for surfaces that take some of them.
+/// Parts of that table, for interfaces that take some of them.
 const Fields<StudySettings>& airFields();           ///< pressure and temperature
 const Fields<StudySettings>& cellFields();          ///< size of a cell
 const Fields<StudySettings>& surfaceFields();       ///< ground, roofs or both

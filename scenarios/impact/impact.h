@@ -82,6 +82,8 @@ struct ImpactSettings {
     bool byBuilding = false;  ///< also compute one field per new building
     /// Minutes of more or less shadow a day above which area counts; at least one, each 0 to 1440.
     std::vector<double> thresholdsMin{defaultThresholdsMin.begin(), defaultThresholdsMin.end()};
+
+    bool operator==(const ImpactSettings&) const = default;
 };
 
 /// All but those of the study.

@@ -134,14 +134,8 @@ TakenBySet sweepRuns(const City& city, const Receivers& receivers, const SunStep
 
 void compareOwnLeafDays(const City& city, const Receivers& sample, const SunSteps& sun) {
     ShadowField swept = compute(HorizonSweep(), city, sample, sun);
-    const SweptRuns runs = sweepRuns(city, sample, sun).runs;
     TreeShade shade = makeTreeShade(swept, 1);
-    for (const auto& [with, column] :
-         {std::pair(&runs.evergreen, &*shade.evergreen), std::pair(&runs.seasonal, &*shade.seasonal)})
-        for (std::size_t i = 0; i < sample.cells.size(); ++i)
-            if ((*with)[i] > runs.without[i])
-                column->continuousMin[sample.cells[i]] =
-                    std::max(column->continuousMin[sample.cells[i]], (*with)[i]);
+    addRuns(sweepRuns(city, sample, sun).runs, sample, shade);
     swept.trees = std::make_shared<const TreeShade>(std::move(shade));
     ShadowField traced;
     const Seconds rays = secondsOf([&] { traced = compute(RayReference(), city, sample, sun); });

@@ -91,6 +91,10 @@ TEST(ScenarioTables, CannotBeRepeatedWhereOnlySomeAreScored) {
     EXPECT_THAT(makeRepeatCommand(two).value(),
                 testing::AllOf(HasSubstr("--weights default"), HasSubstr("--baseline Existing"),
                                HasSubstr("--threshold 30")));
+    two[1].withTrees = {{TreeColumns::seasonal, two[1].study->statistics}};
+    const auto withTrees = makeRepeatCommand(two);
+    ASSERT_FALSE(withTrees) << "the scenario alone has trees, and its score does not count them";
+    EXPECT_THAT(withTrees.error().text(), HasSubstr("its scores without"));
 }
 
 TEST(ScenarioTables, StateTheFloorAreaByUse) {

@@ -284,6 +284,25 @@ TEST(SavedAnswers, SunByPlaceOfSeveralScenariosComesBackInTheirOrder) {
     EXPECT_NEAR(back.compared[1].changes[0].meanHours, answer.compared[1].changes[0].meanHours, 1e-4);
 }
 
+// As where a scenario plants the first trees.
+TEST(SavedAnswers, SunByPlaceComesBackWithTheTreesOfTheScenarioAlone) {
+    SunOfCities answer = sunny(town());
+    ComparedSun& planted = answer.compared[0];
+    planted.sun.withTrees = {{TreeColumns::seasonal, planted.sun.sun}};
+    planted.sun.withTrees[0].sun[0].meanHours = 1.25;
+    planted.changesWithTrees = computeChangesWithTrees(answer.baseline, planted.sun);
+    const auto read = readSavedAnswer(makeSavedResult(town(), answer, keptAt));
+    ASSERT_TRUE(read) << read.error().text();
+    const SunOfCities& back = std::any_cast<const SavedSunByPlace&>(read->content).sun;
+    EXPECT_THAT(back.baseline.withTrees, IsEmpty());
+    ASSERT_EQ(back.compared[0].sun.withTrees.size(), 1U);
+    EXPECT_EQ(back.compared[0].sun.withTrees[0].column, TreeColumns::seasonal);
+    EXPECT_EQ(back.compared[0].sun.withTrees[0].sun[0].meanHours, 1.25);
+    ASSERT_EQ(back.compared[0].changesWithTrees.size(), 1U);
+    EXPECT_NEAR(back.compared[0].changesWithTrees[0][0].meanHours, 1.25 - answer.baseline.sun[0].meanHours,
+                1e-4);
+}
+
 TEST(SavedAnswers, SunByPlaceOfAnotherShapeIsAnError) {
     SavedResult result = makeSavedResult(town(), sunny(town()), keptAt);
     nlohmann::ordered_json json = nlohmann::ordered_json::parse(result.settings);

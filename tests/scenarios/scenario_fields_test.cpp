@@ -1,5 +1,6 @@
 #include "scenarios/massing/massing_fields.h"
 
+#include "scenarios/impact/impact.h"
 #include "scenarios/project/title_fields.h"
 #include "tests/shared/changed_fields.h"
 
@@ -24,6 +25,10 @@ TEST(SettingsFields, NoneOfATowerIsForgotten) {
     expectNoticed(floorUseFields(), FloorUse{});
     expectNoticed(furtherTowerFields(), FurtherTower{});
 }
+
+static_assert(countMembers<ImpactSettings>() == 3);
+
+TEST(SettingsFields, NoneOfAComparisonIsForgotten) { expectNoticed(impactFields(), ImpactSettings{}); }
 
 static_assert(countMembers<TitleBlock>() == 6);
 static_assert(countMembers<SheetSettings>() == 2);

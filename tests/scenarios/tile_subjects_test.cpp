@@ -108,6 +108,11 @@ TEST_F(TileSubjects, ImpactEqualsThatOfOnePieceToTheLastBit) {
     EXPECT_NEAR(report.figures.at("shadow_area_change_m2"), figures.shadowAreaChangeM2, 1e-6);
     EXPECT_EQ(report.figures.at("became_building_m2"), 400);
     EXPECT_EQ(report.figures.at("became_ground_m2"), 100);
+    using testing::Key;
+    EXPECT_THAT(report.figures,
+                testing::ElementsAre(Key("became_building_m2"), Key("became_ground_m2"), Key("eased_m2"),
+                                     Key("gained_over_30_min_m2"), Key("lost_over_30_min_m2"),
+                                     Key("shadow_area_change_m2"), Key("touched_m2")));
     EXPECT_EQ(report.statistics.receivers, computeStatistics(one.after).receivers);
 }
 
@@ -191,6 +196,7 @@ TEST_F(TileSubjectsWithTrees, ImpactEqualsThatOfOnePieceToTheLastBit) {
     }
     EXPECT_TRUE(report.warnings.empty());
     EXPECT_FALSE(report.figures.contains("became_building_m2_seasonal"));
+    EXPECT_EQ(report.figures.size(), 7 + 2 * 5U);
 }
 
 TEST_F(TileSubjectsWithTrees, AreLeftOutWhereTheyAreNotWanted) {

@@ -36,6 +36,9 @@ inline Value otherValue(const Field& field, const Value& value) {
         {"window", "sunrise+0.5h..sunset"},
         {"zone", "Asia/Tokyo"},
         {"facing_deg", "90-180"},
+        {"range", "0:8"},
+        {"classes", "equal:4"},
+        {"change_classes", "-30,30"},
         {"points", "id,lon,lat,height,facing\r\na,2.0000000,48.0000000,,\r\n"}};
     switch (field.kind) {
         case ValueKind::yesNo:
@@ -71,7 +74,7 @@ inline std::set<std::string> namesOf(const std::vector<CommandOption>& options) 
     return names;
 }
 
-/// Changes each field of `standard` where it applies, and holds all surfaces against it.
+/// Changes each field of `standard` where it applies, and holds all interfaces against it.
 template <class S>
 void expectNoticed(const Fields<S>& fields, const S& standard) {
     for (const Field& field : fields.rows()) {

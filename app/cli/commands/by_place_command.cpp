@@ -241,7 +241,7 @@ void printSun(const SunOfCities& all, const std::vector<std::filesystem::path>& 
     Table table;
     table.add("period", formatText(sun.settings.study.period));
     table.add("engine", sun.field.engine);
-    if (!sun.withTrees.empty()) table.add("trees", sun.treesHow);
+    if (!sun.treesHow.empty()) table.add("trees", sun.treesHow);
     table.add("places", withCommas(sun.places.size()));
     table.add("possible", fmt::format("{:.2f} h of sun a day without any shadow", sun.possibleHours));
     table.add("enough", fmt::format("{:g} h of sun a day", sun.settings.enoughHours));

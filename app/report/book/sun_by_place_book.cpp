@@ -317,13 +317,6 @@ bool hasRemarks(const SunByPlace& sun) {
     return std::ranges::any_of(sun.sun, [](const SunOfPlace& of) { return !listRemarks(of).empty(); });
 }
 
-// The minutes of shadow that stand for hours of sun; null: the figure is none of these.
-const ShadowFigure* findShadow(const Figure& figure) {
-    const auto shadows = shadowOfPlaceFigures();
-    const auto found = std::ranges::find(shadows, figure.key, &ShadowFigure::sunKey);
-    return found == shadows.end() ? nullptr : &*found;
-}
-
 // Of hours and areas with their unit, where the name of the figure does not end with it.
 QString titleOf(const Figure& figure, const ShownSunOrShadow& shown) {
     if (const ShadowFigure* shadow = shown.isShadow ? findShadow(figure) : nullptr)

@@ -75,11 +75,14 @@ std::vector<PlaceBand> listBands(const SunOfCities& all) {
 // Those of the column that the answer states, then those with trees.
 std::vector<PlaceBand> listAllBands(const SunOfCities& all) {
     std::vector<PlaceBand> bands = listBands(all);
-    for (const SunWithTrees& with : all.baseline.withTrees)
-        for (PlaceBand& band : listBands(inColumn(all, with.column).value())) {
-            band.name += fmt::format(", {}", describeTrees(with.column));
+    for (const TreeColumns column : listSunColumns(all)) {
+        const auto with = inColumn(all, column);
+        if (!with) continue;
+        for (PlaceBand& band : listBands(*with)) {
+            band.name += fmt::format(", {}", describeTrees(column));
             bands.push_back(std::move(band));
         }
+    }
     return bands;
 }
 

@@ -74,10 +74,13 @@ Result<void> addScoring(std::vector<CommandOption>& options, const ScenarioStudi
                 });
     if (!all) return tl::make_unexpected(all.error());
     if (!*all) return {};
-    if (!scenarios.front().withTrees.empty() && weights->withTrees.empty())
+    const auto without = std::ranges::find_if(scenarios, [](const ScenarioStudy& one) {
+        return !one.withTrees.empty() && one.answers.score->withTrees.empty();
+    });
+    if (without != scenarios.end())
         return failure(
             "No command can repeat this result: its shadow is measured with trees, its scores without",
-            scenarios.front().name, "Compute the scores again, then export again");
+            without->name, "Compute the scores again, then export again");
     options.push_back({flags::weights, {weights->weights}});
     return {};
 }

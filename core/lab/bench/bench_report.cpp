@@ -8,11 +8,22 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "core/base/csv_text.h"
 #include "core/lab/bench/contests/moments.h"
+#include "core/lab/bench/finding.h"
 
 namespace noonmark::bench {
 
 namespace {
+
+void addCell(CsvText& csv, const TableCell& cell) {
+    if (const auto* number = std::get_if<double>(&cell))
+        csv.number(*number);
+    else if (const auto* text = std::get_if<std::string>(&cell))
+        csv.text(*text);
+    else
+        csv.nothing();
+}
 
 // A line of /proc/self/status, in kB: "VmHWM:	  123456 kB".
 std::optional<std::uint64_t> statusBytes(const std::string& name) {
@@ -30,6 +41,15 @@ bool resetPeak() {
 }
 
 }  // namespace
+
+std::string toCsv(const Table& table) {
+    CsvText csv({table.columns.begin(), table.columns.end()});
+    for (const auto& row : table.rows) {
+        for (const TableCell& cell : row) addCell(csv, cell);
+        csv.endRow();
+    }
+    return csv.take();
+}
 
 std::optional<std::uint64_t> measurePeakMemory(const std::function<void()>& work) {
     malloc_trim(0);

@@ -198,7 +198,15 @@ std::vector<SunByPlace> makeBlank(std::span<const NamedCity> cities, const std::
     return blank;
 }
 
+// Of a baseline without trees those of the scenario that plants some are measured, too.
+void stateHowTreesWereMeasured(std::vector<SunByPlace>& made) {
+    const auto known =
+        std::ranges::find_if(made, [](const SunByPlace& one) { return !one.treesHow.empty(); });
+    if (known != made.end() && made.front().treesHow.empty()) made.front().treesHow = known->treesHow;
+}
+
 SunOfCities compareMade(std::vector<SunByPlace> made) {
+    stateHowTreesWereMeasured(made);
     SunOfCities all{std::move(made.front()), {}};
     for (std::size_t i = 1; i < made.size(); ++i) {
         auto changes = computeChanges(all.baseline, made[i]);

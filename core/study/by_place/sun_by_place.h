@@ -172,7 +172,7 @@ struct SunChange {
 struct ComparedSun {
     SunByPlace sun;
     std::vector<SunChange> changes;                        ///< of each place, without trees
-    std::vector<std::vector<SunChange>> changesWithTrees;  ///< of each of SunByPlace::withTrees
+    std::vector<std::vector<SunChange>> changesWithTrees;  ///< of each of sun.withTrees
 };
 
 /// The places in a city and, on the same cells, in others.
@@ -251,19 +251,25 @@ double computeBelowShare(const SunOfPlace& of, std::size_t date, double hours);
 /// None: its cells are not known, as of a saved one. O(cells), without a sweep.
 std::optional<SunOfCities> withEnough(const SunOfCities& sun, double hours);
 
-/// The columns of an answer: without trees, and those that were measured with them, evergreens first.
+/// The columns of an answer: without trees, and those that any of its cities was measured with, evergreens
+/// first. In sun_in_column.cpp, as the following two.
+std::vector<TreeColumns> listSunColumns(const SunByPlace& baseline, std::span<const ComparedSun> compared);
 std::vector<TreeColumns> listSunColumns(const SunOfCities& sun);
 
+/// What each place gets in a city with trees counted as in `column`. A city that lacks the column has no tree
+/// that reaches a place: its sun without trees.
+const std::vector<SunOfPlace>& sunInColumn(const SunByPlace& city, TreeColumns column);
+
 /// The answer with the sun of one column, its changes and its errors in place of those without trees, and no
-/// columns besides: for whatever states one sun of each place. None: it has no such column, or it is that
-/// without trees, which the answer states itself. Copies the answer. In sun_in_column.cpp.
+/// columns besides: for whatever states one sun of each place. None: no city has such a column, or it is that
+/// without trees, which the answer states itself. Copies the answer.
 std::optional<SunOfCities> inColumn(const SunOfCities& sun, TreeColumns column);
 
 /// Whether both state the same shadow on the same cells: they differ at most in the hours that are enough.
 /// False where cells are not known. O(cells)
 bool haveSameShadow(const SunOfCities& one, const SunOfCities& other);
 
-/// `before` and `after` have the same places and cells. With trees: of each column.
+/// `before` and `after` have the same places and cells. With trees: of each column of `after`.
 std::vector<SunChange> computeChanges(const SunByPlace& before, const SunByPlace& after);
 std::vector<std::vector<SunChange>> computeChangesWithTrees(const SunByPlace& before,
                                                             const SunByPlace& after);
@@ -314,6 +320,8 @@ struct ShadowFigure {
     std::string_view label, definition;  ///< NM_TEXT
 };
 std::span<const ShadowFigure> shadowOfPlaceFigures();
+/// The minutes of shadow that stand for a figure in hours of sun, with trees or without; null: it is in none.
+const ShadowFigure* findShadow(const Figure& figure);
 double shadowMinOf(double sunHours, double possibleHours);
 
 /// A row for each place: name, kind, the figures, a column for each season, month and date, the same as

@@ -185,7 +185,7 @@ void addCompared(PlaceColumns& columns, const SunByPlace& baseline, const Compar
         const std::string trees = suffixOf(with.column);
         columns.city(sunFiguresWithTrees(with.column), with.sun, trees, city);
         columns.changes(changeFiguresWithTrees(with.column), compared.changesWithTrees[column], trees, city);
-        columns.partChanges(baseline.withTrees[column].sun, with.sun, trees + city);
+        columns.partChanges(sunInColumn(baseline, with.column), with.sun, trees + city);
     }
 }
 
@@ -206,7 +206,7 @@ struct CitySun {
     const SunByPlace* city;
     TreeColumns trees;
     const OfPlaces* sun;
-    const OfPlaces* before = nullptr;                 ///< null: it is the baseline, or has no such column
+    const OfPlaces* before = nullptr;                 ///< null: it is the baseline
     const std::vector<SunChange>* changes = nullptr;  ///< null: it is the baseline
 };
 
@@ -218,9 +218,7 @@ std::vector<CitySun> listSuns(const SunByPlace& baseline, std::span<const Compar
         suns.push_back({&one.sun, TreeColumns::without, &one.sun.sun, &baseline.sun, &one.changes});
         for (std::size_t i = 0; i < one.sun.withTrees.size(); ++i) {
             const SunWithTrees& with = one.sun.withTrees[i];
-            const auto before = std::ranges::find(baseline.withTrees, with.column, &SunWithTrees::column);
-            suns.push_back({&one.sun, with.column, &with.sun,
-                            before != baseline.withTrees.end() ? &before->sun : nullptr,
+            suns.push_back({&one.sun, with.column, &with.sun, &sunInColumn(baseline, with.column),
                             &one.changesWithTrees[i]});
         }
     }
@@ -391,6 +389,15 @@ std::span<const ShadowFigure> shadowOfPlaceFigures() {
          NM_TEXT("minutes of shadow a day, mean over the days, at the cell that has least")},
     }};
     return figures;
+}
+
+const ShadowFigure* findShadow(const Figure& figure) {
+    const std::array suffixes{std::string(), suffixOf(TreeColumns::evergreen),
+                              suffixOf(TreeColumns::seasonal)};
+    for (const ShadowFigure& shadow : shadowOfPlaceFigures())
+        for (const std::string& suffix : suffixes)
+            if (figure.key == std::string(shadow.sunKey) + suffix) return &shadow;
+    return nullptr;
 }
 
 std::vector<SunPart> listParts(const SunByPlace& sun) {

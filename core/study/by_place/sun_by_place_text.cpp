@@ -124,7 +124,7 @@ Json placeJson(const Stated& stated, std::span<const ComparedSun> compared, std:
             const SunWithTrees& with = one.sun.withTrees[column];
             const std::string trees = suffixOf(with.column);
             addChanges(other, changeFiguresWithTrees(with.column), one.changesWithTrees[column][i], trees);
-            addPartChanges(other, stated, sun.withTrees[column].sun[i], with.sun[i], trees);
+            addPartChanges(other, stated, sunInColumn(sun, with.column)[i], with.sun[i], trees);
         }
         json["scenarios"][one.sun.name] = std::move(other);
     }
@@ -153,8 +153,9 @@ void addComparison(Json& json, const SunByPlace& sun, std::span<const ComparedSu
     json["definitions"].update(definitionsJson(sunChangeFigures().rows()));
     json["definitions"]["change_shadow_min"] =
         "minutes of shadow a day more than in the baseline, mean over the days and the place; negative: less";
-    for (const SunWithTrees& with : sun.withTrees)
-        json["definitions"].update(definitionsJson(changeFiguresWithTrees(with.column)));
+    for (const ComparedSun& one : compared)
+        for (const SunWithTrees& with : one.sun.withTrees)
+            json["definitions"].update(definitionsJson(changeFiguresWithTrees(with.column)));
 }
 
 // The dates stand in the figures of each place, and a loss counts against a baseline only.
@@ -297,7 +298,7 @@ std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared)
     json.update(settingsJson(sun.settings, !compared.empty()));
     json["possible_hours"] = sun.possibleHours;
     json["engine"] = sun.field.engine;
-    if (!sun.withTrees.empty()) json["engine_trees"] = sun.treesHow;
+    if (listSunColumns(sun, compared).size() > 1) json["engine_trees"] = sun.treesHow;
     json["steps"] = sun.daylight.steps.size();
     json["steps_below_horizon"] = sun.daylight.belowHorizon;
     json["error"] = sun.error ? errorJson(*sun.error, sun.city.frame) : Json();
@@ -313,8 +314,9 @@ std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared)
         json["places"].push_back(placeJson(stated, compared, i));
     json["definitions"] = definitionsJson(sunOfPlaceFigures().rows());
     defineShadow(json["definitions"]);
-    for (const SunWithTrees& with : sun.withTrees)
-        json["definitions"].update(definitionsJson(sunFiguresWithTrees(with.column)));
+    for (const TreeColumns column : listSunColumns(sun, compared))
+        if (column != TreeColumns::without)
+            json["definitions"].update(definitionsJson(sunFiguresWithTrees(column)));
     if (!compared.empty()) addComparison(json, sun, compared);
     json["warnings"] = warningsJson(sun.warnings);
     addProvenance(json, sun.provenance);

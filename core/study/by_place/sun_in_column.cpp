@@ -34,38 +34,59 @@ void keepColumn(std::vector<Stated>& all, std::string_view column) {
     all = std::move(kept);
 }
 
-void putInFront(SunByPlace& sun, std::size_t index) {
-    const std::string_view words = describeTrees(sun.withTrees[index].column);
-    sun.sun = std::move(sun.withTrees[index].sun);
+// Of a city that lacks the column its errors without trees hold, too.
+void putInFront(SunByPlace& sun, TreeColumns column) {
+    if (const auto index = findTreeColumn(sun, column)) {
+        sun.sun = std::move(sun.withTrees[*index].sun);
+        keepColumn(sun.errors, describeTrees(column));
+        keepColumn(sun.sampledShares, describeTrees(column));
+    }
     sun.withTrees.clear();
-    keepColumn(sun.errors, words);
-    keepColumn(sun.sampledShares, words);
+}
+
+// `baseline` has it in front. Where the scenario lacks it, its changes are those to its sun without trees.
+void putInFront(ComparedSun& compared, const SunByPlace& baseline, TreeColumns column) {
+    const auto own = findTreeColumn(compared.sun, column);
+    putInFront(compared.sun, column);
+    compared.changes = own && *own < compared.changesWithTrees.size()
+                           ? std::move(compared.changesWithTrees[*own])
+                           : computeChanges(baseline, compared.sun);
+    compared.changesWithTrees.clear();
 }
 
 }  // namespace
 
-std::vector<TreeColumns> listSunColumns(const SunOfCities& sun) {
+std::vector<TreeColumns> listSunColumns(const SunByPlace& baseline, std::span<const ComparedSun> compared) {
     std::vector<TreeColumns> columns{TreeColumns::without};
-    for (const SunWithTrees& with : sun.baseline.withTrees) columns.push_back(with.column);
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+        if (findTreeColumn(baseline, column) || std::ranges::any_of(compared, [&](const ComparedSun& one) {
+                return findTreeColumn(one.sun, column).has_value();
+            }))
+            columns.push_back(column);
     return columns;
 }
 
+std::vector<TreeColumns> listSunColumns(const SunOfCities& sun) {
+    return listSunColumns(sun.baseline, sun.compared);
+}
+
+const std::vector<SunOfPlace>& sunInColumn(const SunByPlace& city, TreeColumns column) {
+    const auto index = findTreeColumn(city, column);
+    return index ? city.withTrees[*index].sun : city.sun;
+}
+
 std::optional<SunOfCities> inColumn(const SunOfCities& sun, TreeColumns column) {
-    const auto index = findTreeColumn(sun.baseline, column);
-    if (!index) return std::nullopt;
+    const std::vector<TreeColumns> columns = listSunColumns(sun);
+    if (column == TreeColumns::without || std::ranges::find(columns, column) == columns.end())
+        return std::nullopt;
     SunOfCities made = sun;
-    putInFront(made.baseline, *index);
-    for (ComparedSun& compared : made.compared) {
-        if (const auto own = findTreeColumn(compared.sun, column)) putInFront(compared.sun, *own);
-        if (*index < compared.changesWithTrees.size())
-            compared.changes = std::move(compared.changesWithTrees[*index]);
-        compared.changesWithTrees.clear();
-    }
+    putInFront(made.baseline, column);
+    for (ComparedSun& compared : made.compared) putInFront(compared, made.baseline, column);
     return made;
 }
 
 SunShown showColumn(const std::shared_ptr<const SunOfCities>& all, PlaceColours colours) {
-    if (all->baseline.withTrees.empty()) return {all, std::move(colours)};
+    if (listSunColumns(*all).size() == 1) return {all, std::move(colours)};
     auto made = inColumn(*all, colours.legend.trees);
     colours.column = made ? colours.legend.trees : TreeColumns::without;
     return {made ? std::make_shared<const SunOfCities>(*std::move(made)) : all, std::move(colours)};

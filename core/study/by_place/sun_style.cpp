@@ -224,9 +224,8 @@ std::vector<SunChange> computeChanges(const SunByPlace& before, const SunByPlace
 std::vector<std::vector<SunChange>> computeChangesWithTrees(const SunByPlace& before,
                                                             const SunByPlace& after) {
     std::vector<std::vector<SunChange>> changes;
-    for (std::size_t i = 0; i < before.withTrees.size(); ++i)
-        changes.push_back(
-            listChanges(before.withTrees[i].sun, after.withTrees[i].sun, before.settings.lossMin));
+    for (const SunWithTrees& with : after.withTrees)
+        changes.push_back(listChanges(sunInColumn(before, with.column), with.sun, before.settings.lossMin));
     return changes;
 }
 

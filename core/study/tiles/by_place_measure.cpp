@@ -119,15 +119,14 @@ SunOfTile cityFrom(const Json& json) {
     return city;
 }
 
-Json treesLine(const SunOfCities& sun, std::size_t column, std::size_t i) {
-    Json json{{"column", int(sun.baseline.withTrees[column].column)}};
-    json["sun"].push_back(sunLine(sun.baseline.withTrees[column].sun[i]));
+// What a place gets in each city, and what that changes against the first.
+void addSun(Json& json, const SunOfCities& sun, std::size_t i) {
+    json["sun"].push_back(sunLine(sun.baseline.sun[i]));
     json["changes"] = Json::array();
     for (const ComparedSun& one : sun.compared) {
-        json["sun"].push_back(sunLine(one.sun.withTrees[column].sun[i]));
-        json["changes"].push_back(figuresLine(sunChangeFigures().of(one.changesWithTrees[column][i])));
+        json["sun"].push_back(sunLine(one.sun.sun[i]));
+        json["changes"].push_back(figuresLine(sunChangeFigures().of(one.changes[i])));
     }
-    return json;
 }
 
 PlaceLine::WithTrees treesFrom(const Json& json) {
@@ -138,16 +137,27 @@ PlaceLine::WithTrees treesFrom(const Json& json) {
     return with;
 }
 
-Json placeLine(const SunOfCities& sun, std::size_t i) {
+/// An answer in one of its columns of trees.
+struct SunInColumn {
+    TreeColumns column;
+    SunOfCities sun;
+};
+
+std::vector<SunInColumn> listInColumns(const SunOfCities& sun) {
+    std::vector<SunInColumn> all;
+    for (const TreeColumns column : listSunColumns(sun))
+        if (auto made = inColumn(sun, column)) all.push_back({column, *std::move(made)});
+    return all;
+}
+
+Json placeLine(const SunOfCities& sun, const std::vector<SunInColumn>& columns, std::size_t i) {
     Json json{{"place", sun.baseline.places[i].name}};
-    json["sun"].push_back(sunLine(sun.baseline.sun[i]));
-    json["changes"] = Json::array();
-    for (const ComparedSun& one : sun.compared) {
-        json["sun"].push_back(sunLine(one.sun.sun[i]));
-        json["changes"].push_back(figuresLine(sunChangeFigures().of(one.changes[i])));
+    addSun(json, sun, i);
+    for (const SunInColumn& with : columns) {
+        Json line{{"column", int(with.column)}};
+        addSun(line, with.sun, i);
+        json["with_trees"].push_back(std::move(line));
     }
-    for (std::size_t column = 0; column < sun.baseline.withTrees.size(); ++column)
-        json["with_trees"].push_back(treesLine(sun, column, i));
     return json;
 }
 
@@ -163,7 +173,8 @@ std::string formatLines(const SunOfCities& sun) {
     tile["cities"].push_back(cityLine(sun.baseline));
     for (const ComparedSun& one : sun.compared) tile["cities"].push_back(cityLine(one.sun));
     std::string lines = textOf(tile);
-    for (std::size_t i = 0; i < sun.baseline.places.size(); ++i) lines += textOf(placeLine(sun, i));
+    const std::vector<SunInColumn> columns = listInColumns(sun);
+    for (std::size_t i = 0; i < sun.baseline.places.size(); ++i) lines += textOf(placeLine(sun, columns, i));
     return lines;
 }
 

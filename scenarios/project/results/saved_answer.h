@@ -123,6 +123,7 @@ Result<SavedAnswer> readSavedAnswer(const SavedResult& result,
 
 /// Reasons why the current project would not give this result, one sentence each: other buildings, terrain,
 /// places or files. Empty where there is none. Costs a hash of the scenario's city and of the baseline's.
+/// In saved_changes.cpp, as the following.
 std::vector<std::string> findChangesSince(const SavedResult& result, const SavedOrigin& origin,
                                           const Project& project);
 

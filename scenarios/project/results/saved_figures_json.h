@@ -6,11 +6,15 @@
 
 #include "core/describe/figure_text.h"
 #include "core/measures/statistics.h"
+#include "core/receivers/place.h"
 #include "scenarios/impact/impact.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/weights/score.h"
 
 namespace noonmark {
+
+struct SavedResult;
+struct SavedSunByPlace;
 
 /// Cells that became building or ground, as runs in grid order: [first cell, length, "building" or "ground"].
 nlohmann::ordered_json changedCellsJson(const std::vector<CellChange>& change);
@@ -34,6 +38,11 @@ template <class R>
 void readRows(std::span<const Figure> rows, const nlohmann::ordered_json& json, R& read) {
     for (const Figure& figure : rows) figure.set(&read, figures::readFigure(figure, json));
 }
+
+/// Sun by place as toJson() writes it, with what results keep beside it; a place with its outline as they do.
+/// Throw likewise. In saved_places.cpp.
+SavedSunByPlace parseSunByPlace(const SavedResult& result, const nlohmann::ordered_json& json);
+Place parseSavedPlace(const nlohmann::ordered_json& json, const nlohmann::ordered_json& outline);
 
 /// The errors of the quantities that a result shows; none where its version did not state them.
 std::vector<ShownError> savedErrors(const nlohmann::ordered_json& result);

@@ -7,6 +7,7 @@
 #include "core/describe/field_json.h"
 #include "core/describe/field_values.h"
 #include "core/io/settings/read_settings.h"
+#include "core/measures/legend_choice.h"
 #include "core/study/by_place/sun_by_place.h"
 #include "core/study/elements/element_fields.h"
 #include "core/study/provenance/study_hash.h"
@@ -28,6 +29,7 @@ static_assert(countMembers<StudySettings>() == 12);
 static_assert(countMembers<ReadSettings>() == 23);
 static_assert(countMembers<ElementSettings>() == 13);
 static_assert(countMembers<SunByPlaceSettings>() == 5);
+static_assert(countMembers<LegendChoice>() == 9);
 
 TEST(SettingsFields, NoneOfAReviewIsForgotten) {
     const ReviewSettings standard{2, "Europe/Paris", 2026};
@@ -45,6 +47,8 @@ TEST(SettingsFields, NoneOfAReviewIsForgotten) {
 }
 
 TEST(SettingsFields, NoneOfSunByPlaceIsForgotten) { expectNoticed(sunByPlaceFields(), SunByPlaceSettings{}); }
+
+TEST(SettingsFields, NoneOfALegendIsForgotten) { expectNoticed(legendFields(), LegendChoice{}); }
 
 TEST(SettingsFields, NoneOfAPeriodIsForgotten) {
     expectNoticed(periodFields(), Period{});

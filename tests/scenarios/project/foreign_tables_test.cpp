@@ -69,6 +69,26 @@ TEST_F(HostileProject, ASpatialIndexThatAGisAddedDoesNotStandInTheWay) {
                 testing::IsEmpty());
 }
 
+// Trees and the map context, too, which came with later versions of the file.
+TEST_F(HostileProject, SpatialIndexesOfAllLayersAreRemovedBeforeASave) {
+    const auto layers = sql("SELECT table_name FROM gpkg_geometry_columns");
+    EXPECT_GE(layers.size(), 8U);
+    for (const std::string layer :
+         {"buildings", "proposals", "lots", "regions", "places", "context", "trees", "result_elements"})
+        sql(
+            fmt::format("CREATE VIRTUAL TABLE rtree_{0}_geom USING rtree(id, minx, maxx, miny, maxy);"
+                        "INSERT INTO gpkg_extensions VALUES ('{0}', 'geom', 'gpkg_rtree_index', '', '');",
+                        layer));
+    ASSERT_EQ(sql("SELECT 1 FROM gpkg_extensions WHERE extension_name = 'gpkg_rtree_index'").size(), 8U);
+    auto opened = ProjectFile::open(file());
+    ASSERT_TRUE(opened) << opened.error().text();
+    const auto saved = opened->save(opened->project());
+    ASSERT_TRUE(saved) << saved.error().text();
+    EXPECT_THAT(sql("SELECT name FROM sqlite_master WHERE name LIKE 'rtree%'"), testing::IsEmpty());
+    EXPECT_THAT(sql("SELECT 1 FROM gpkg_extensions WHERE extension_name = 'gpkg_rtree_index'"),
+                testing::IsEmpty());
+}
+
 // Every scenario with its edits, which hold their shapes by pointer.
 std::vector<std::string> textsOf(const std::vector<Scenario>& scenarios) {
     std::vector<std::string> texts;

@@ -16,21 +16,6 @@ namespace noonmark {
 
 namespace {
 
-// Of the panel Review.
-[[maybe_unused]] constexpr const char* reviewErrors[] = {
-    QT_TRANSLATE_NOOP("Error", "The project has no lots, and this rule is about parcels"),
-    QT_TRANSLATE_NOOP("Error", "Draw the lot of the proposal: Edit > Draw lot"),
-    QT_TRANSLATE_NOOP("Error", "The project has no places yet"),
-    QT_TRANSLATE_NOOP("Error", "Read them from a map or draw one: Study > Read places, Study > Draw place"),
-    QT_TRANSLATE_NOOP("Error", "No place is chosen"),
-    QT_TRANSLATE_NOOP("Error",
-                      "Tick the places to review, or press In reach to find those that the shadow reaches"),
-    QT_TRANSLATE_NOOP("Error", "Design a tower, or choose a scenario with a proposal"),
-    QT_TRANSLATE_NOOP("Error", "The building is still being designed"),
-    QT_TRANSLATE_NOOP("Error", "Build it, then run the review"),
-    QT_TRANSLATE_NOOP("Error", "There is no review to export"),
-    QT_TRANSLATE_NOOP("Error", "Press Run review first")};
-
 // Of nameOf(WarningKind), which lies below the macro of core.
 [[maybe_unused]] constexpr const char* warningKinds[] = {
     QT_TRANSLATE_NOOP("noonmark", "repaired"), QT_TRANSLATE_NOOP("noonmark", "clipped"),

@@ -101,8 +101,7 @@ MovieActions::MovieActions(Workbench& workbench, ViewPanel& panel, TimeDisplay& 
 }
 
 void MovieActions::ask() {
-    if (!workbench_.city())
-        return panel_.messages().showError({"No city is open", {}, "Open a file or a sample first"});
+    if (!workbench_.city()) return panel_.messages().showError(noCityError());
     auto* dialog = new MovieDialog(firstChoice(), workbench_.comparing(),
                                    workbench_.document().settings().period.days, &window_);
     connect(dialog, &MovieDialog::chosen, this, [this](const MovieChoice& choice) {

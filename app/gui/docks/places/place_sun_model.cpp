@@ -38,17 +38,10 @@ bool isShare(const Figure& figure) { return figure.unit == FigureUnit::share; }
 // Changes are told in minutes throughout.
 bool isChangeOfHours(const Figure& figure) { return figure.isChange && figure.unit == FigureUnit::none; }
 
-bool isHoursOfSun(const Figure& figure) {
-    return !isShare(figure) && !isChangeOfHours(figure) && figure.unit != FigureUnit::squareMetres &&
-           figure.unit != FigureUnit::minutesADay;
-}
-
-// Least sun is most shadow.
-QString shadowHeading(const Figure& figure) {
-    if (figure.key == minKey) return QObject::tr("Max shadow, min");
-    if (figure.key == maxKey) return QObject::tr("Min shadow, min");
-    return figure.key == meanKey ? QObject::tr("Mean shadow, min")
-                                 : QObject::tr("%1: minutes of shadow").arg(translated(figure.label));
+// Figures with trees have a name of their own.
+QString shadowHeading(const Figure& figure, const ShadowFigure& shadow) {
+    return figure.key == shadow.sunKey ? QObject::tr("%1, min").arg(translated(shadow.label))
+                                       : QObject::tr("%1: minutes of shadow").arg(translated(figure.label));
 }
 
 QString columnHeading(const Figure& figure) {
@@ -170,8 +163,8 @@ void PlaceSunModel::makeColumns() {
 
 void PlaceSunModel::addFigure(const Figure& figure, const std::vector<SunOfPlace>& sun) {
     const double factor = isShare(figure) ? percentOfWhole : 1;
-    const bool inShadow = isHoursOfSun(figure) && !showsSun({});
-    FigureColumn column{inShadow ? shadowHeading(figure) : columnHeading(figure),
+    const ShadowFigure* inShadow = showsSun({}) ? nullptr : findShadow(figure);
+    FigureColumn column{inShadow ? shadowHeading(figure, *inShadow) : columnHeading(figure),
                         inShadow ? tr("Minutes of shadow a day: the sunlit time without the sun")
                                  : translatedSentence(figure.definition),
                         isShare(figure) || inShadow ? 0 : figure.shownDecimals,
@@ -459,54 +452,6 @@ QVariant PlaceSunModel::headerData(int section, Qt::Orientation orientation, int
     if (section < firstFigure)
         return section == name ? tr("Place") : section == kind ? tr("Kind") : tr("Remarks");
     return columns_[std::size_t(section - firstFigure)].heading;
-}
-
-PlaceSunFilter::PlaceSunFilter(QObject* parent) : QSortFilterProxyModel(parent) {
-    setRecursiveFilteringEnabled(true);
-}
-
-const PlaceSunModel& PlaceSunFilter::model() const {
-    return *static_cast<const PlaceSunModel*>(sourceModel());
-}
-
-void PlaceSunFilter::setText(const QString& text) {
-    text_ = text;
-    invalidateFilter();
-}
-
-void PlaceSunFilter::setKind(std::optional<PlaceKind> kind) {
-    kind_ = kind;
-    invalidateFilter();
-}
-
-void PlaceSunFilter::setLimit(std::optional<Limit> limit) {
-    if (limit == limit_) return;
-    limit_ = limit;
-    invalidateFilter();
-}
-
-// A place without figures has not less.
-bool PlaceSunFilter::accepts(std::size_t place) const {
-    const Place& of = model().sun()->baseline.places[place];
-    if (kind_ && of.kind != *kind_) return false;
-    if (limit_ && !limit_->holds(model().hoursOf(place, limit_->of))) return false;
-    return text_.isEmpty() || placeName(of.name).contains(text_, Qt::CaseInsensitive);
-}
-
-// Without a QVariant for each value: thousands of rows are sorted at a click. Rows without a number come last
-// in both orders.
-bool PlaceSunFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
-    if (left.column() < PlaceSunModel::firstFigure)
-        return QString::localeAwareCompare(left.data().toString(), right.data().toString()) < 0;
-    const double a = model().valueAt(left), b = model().valueAt(right);
-    if (std::isnan(a) || std::isnan(b))
-        return std::isnan(a) != std::isnan(b) && std::isnan(a) == (sortOrder() == Qt::DescendingOrder);
-    return a < b;
-}
-
-bool PlaceSunFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
-    const auto place = model().placeOf(model().index(row, 0, parent));
-    return place && accepts(*place);  // a row above places stays for those below it
 }
 
 }  // namespace noonmark

@@ -20,9 +20,12 @@ namespace noonmark {
 
 /// How much sun places get: a table that sorts, filters and points at the view, and a threshold that colours
 /// table and view and counts the places below it.
+/// places_listing.cpp: what is listed and counted, places_in_view.cpp: what the view shows of it.
 class PlacesDock final : public QWidget {
     Q_OBJECT
 public:
+    static constexpr double maxThreshold = 12, maxShade = 24;  ///< hours of sun, of shade a day
+
     explicit PlacesDock(QWidget* parent = nullptr);
 
     /// Null: none. `note`: stands beside the legend instead of the error; `outdated`: as a warning.

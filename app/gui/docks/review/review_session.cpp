@@ -24,13 +24,23 @@ RuleLibrary loadLibrary() {
     return RuleLibrary::load().value_or(RuleLibrary{});
 }
 
-Error proposesNothing(const std::string& scenario) {
-    return {"Baseline and scenario are the same: " + scenario,
-            {},
-            "Design a tower, or choose a scenario with a proposal"};
+Error sameScenarios(const std::string& scenario) {
+    return proposesNothing("Baseline and scenario are the same: " + scenario);
 }
 
 }  // namespace
+
+Error proposesNothing(std::string what) {
+    return {std::move(what),
+            {},
+            QT_TRANSLATE_NOOP("Error", "Design a tower, or choose a scenario with a proposal")};
+}
+
+Error noReviewError() {
+    return {QT_TRANSLATE_NOOP("Error", "There is no review to export"),
+            {},
+            QT_TRANSLATE_NOOP("Error", "Press Run review first")};
+}
 
 ReviewSession::ReviewSession(Workbench& workbench, QObject* parent) : QObject(parent), workbench_(workbench) {
     library_ = loadLibrary();
@@ -104,18 +114,23 @@ std::vector<Place> ReviewSession::candidates() const {
 Result<PlacesToReview> ReviewSession::chosenPlaces(const Rule& rule) const {
     std::vector<Place> places = candidates();
     if (places.empty() && rule.receivers.hasLines())
-        return failure("The project has no lots, and this rule is about parcels", {},
-                       "Draw the lot of the proposal: Edit > Draw lot");
+        return failure(QT_TRANSLATE_NOOP("Error", "The project has no lots, and this rule is about parcels"),
+                       {}, QT_TRANSLATE_NOOP("Error", "Draw the lot of the proposal: Edit > Draw lot"));
     if (places.empty())
-        return failure("The project has no places yet", {},
-                       "Read them from a map or draw one: Study > Read places, Study > Draw place");
+        return failure(
+            QT_TRANSLATE_NOOP("Error", "The project has no places yet"), {},
+            QT_TRANSLATE_NOOP("Error",
+                              "Read them from a map or draw one: Study > Read places, Study > Draw place"));
     if (choice_.reviewed == ReviewedPlaces::chosen)
         std::erase_if(places, [this](const Place& place) {
             return std::ranges::find(choice_.places, place.name) == choice_.places.end();
         });
     if (places.empty())
-        return failure("No place is chosen", {},
-                       "Tick the places to review, or press In reach to find those that the shadow reaches");
+        return failure(
+            QT_TRANSLATE_NOOP("Error", "No place is chosen"), {},
+            QT_TRANSLATE_NOOP(
+                "Error",
+                "Tick the places to review, or press In reach to find those that the shadow reaches"));
     return moveLines(rule, workbench_.session().project(), std::move(places));
 }
 
@@ -124,14 +139,14 @@ Result<ReviewedCities> ReviewSession::comparedCities(const std::string& to) cons
     if (!before) return tl::make_unexpected(before.error());
     const auto after = workbench_.session().cityOf(to);
     if (!after) return tl::make_unexpected(after.error());
-    if (*before == *after && to != choice_.from) return tl::make_unexpected(proposesNothing(to));
+    if (*before == *after && to != choice_.from) return tl::make_unexpected(sameScenarios(to));
     return ReviewedCities{choice_.from, to, *before, *after};
 }
 
 Result<ReviewQuestion> ReviewSession::question() { return questionOf(scenarioName()); }
 
 Result<ReviewQuestion> ReviewSession::questionOf(const std::string& scenario) {
-    if (!workbench_.city()) return failure("No city is open", {}, "Open a file or a sample first");
+    if (!workbench_.city()) return tl::make_unexpected(noCityError());
     auto rule = this->rule();
     if (!rule) return tl::make_unexpected(rule.error());
     auto places = chosenPlaces(*rule);
@@ -265,7 +280,7 @@ void ReviewSession::screen() {
     choose(choice);
     const auto question = this->question();
     if (!question) return report(question.error());
-    if (question->before == question->after) return report(proposesNothing(question->to));
+    if (question->before == question->after) return report(sameScenarios(question->to));
     if (needsScreening(*question)) findReach(running_, *question, [] {});
 }
 
@@ -275,8 +290,10 @@ ReviewSource ReviewSession::source() const {
 }
 
 Result<std::shared_ptr<const ReviewAnswer>> ReviewSession::finished() const {
-    if (live_) return failure("The building is still being designed", {}, "Build it, then run the review");
-    if (!answer_) return failure("There is no review to export", {}, "Press Run review first");
+    if (live_)
+        return failure(QT_TRANSLATE_NOOP("Error", "The building is still being designed"), {},
+                       QT_TRANSLATE_NOOP("Error", "Build it, then run the review"));
+    if (!answer_) return tl::make_unexpected(noReviewError());
     return answer_;
 }
 

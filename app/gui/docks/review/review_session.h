@@ -165,6 +165,11 @@ private:
     JobSlot estimating_;
 };
 
+/// Errors of the reviews of places and of windows: baseline and scenario are the same, as `what` says, and
+/// there is no review to export.
+Error proposesNothing(std::string what);
+Error noReviewError();
+
 /// Hands the reviews of several scenarios over to a cache and to the workbench, which lists them without
 /// displaying them. Returns the errors of the other scenarios.
 template <class Review, std::size_t maximum>

@@ -86,6 +86,24 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace noonmark {
 
+std::vector<TimedStep> makeTimedSteps(const SunSteps& sun, const BinnedSun& binned) {
+    std::vector<TimedStep> steps(sun.steps.size());
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        steps[i] = {binned.places[i], i == 0 || sun.steps[i].slot != sun.steps[i - 1].slot + 1};
+    for (const SunDay& day : sun.days)
+        if (day.count > 0) steps[day.first].startsRun = true;
+    return steps;
+}
+
+std::vector<DaySteps> findDays(std::span<const TimedStep> steps) {
+    std::vector<DaySteps> days;
+    for (std::uint32_t step = 0; step < steps.size(); ++step) {
+        if (steps[step].startsRun) days.push_back({step, step});
+        days.back().end = step + 1;
+    }
+    return days;
+}
+
 NOONMARK_KERNEL(walkSteps);
 void walkSteps(std::span<const RunLanes> horizons, std::span<const TimedStep> steps, RunLanes& longest) {
     NOONMARK_CALL(walkSteps)(horizons, steps, longest);

@@ -364,8 +364,8 @@ void CrownBatch::takeGap(const HiddenGap& gap, const CrownLevels& levels, bool s
         seasonal += hidden * levels.inLeaf[i] * taken;
         if (levels.bare[i] > 0) seasonal += hidden * levels.bare[i] * shares_.bare[row][i][cell];
     }
-    sums.evergreen[row * side + cell] -= std::int32_t(evergreen * fractions + 0.5F);
-    sums.seasonal[row * side + cell] -= std::int32_t(seasonal * fractions + 0.5F);
+    sums.evergreen[row * side + cell] -= std::int32_t(std::lround(evergreen * fractions));
+    sums.seasonal[row * side + cell] -= std::int32_t(std::lround(seasonal * fractions));
 }
 
 }  // namespace noonmark

@@ -35,6 +35,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace noonmark {
 
+std::vector<RunStarts> findRunStarts(const SunSteps& sun) {
+    std::vector<RunStarts> starts((sun.steps.size() + stepsTogether - 1) / stepsTogether, RunStarts{});
+    const auto begin = [&](std::size_t step) { starts[step / stepsTogether][step % stepsTogether] = true; };
+    for (const SunDay& day : sun.days)
+        if (day.count > 0) begin(day.first);
+    for (std::size_t step = 1; step < sun.steps.size(); ++step)
+        if (sun.steps[step].slot != sun.steps[step - 1].slot + 1) begin(step);
+    return starts;
+}
+
 ShadowEvents::ShadowEvents(const BitLayout& layout, const RowBand& band,
                            std::span<const std::uint64_t> noReceivers)
     : layout_(layout),

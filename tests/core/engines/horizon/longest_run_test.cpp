@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "core/engines/horizon/trees/crown_sweep.h"
@@ -172,6 +174,122 @@ TEST(RunSearch, FindsGapsThatNoHorizonKnowsOf) {
         for (const DaySteps& part : partsOf(steps)) search.walk(part);
         EXPECT_EQ(search.longest(), longestOf(scene.hidden, steps)) << round;
     }
+}
+
+// Three steps hidden for some lanes, one for none, three that others lose; on the next day one more. Lane L
+// misses the suns of the first span below L and those above 100 - L.
+TEST(WalkSpans, FindsTheLongestRunOfEachLaneWithinItsDay) {
+    constexpr HorizonCode none = std::numeric_limits<HorizonCode>::max();
+    RunLanes below, above, nothingBelow, nothingAbove;
+    for (std::size_t lane = 0; lane < lanesPerPart; ++lane) {
+        below.values[lane] = HorizonCode(lane);
+        above.values[lane] = HorizonCode(100 - lane);
+        nothingAbove.values[lane] = none;
+    }
+    const std::vector<SpanLanes> spans{{below.values, above.values},
+                                       {nothingBelow.values, nothingAbove.values}};
+    std::vector<SpanStep> steps{{0, 10, true}, {0, 20}, {0, 30}, {1, 50}, {0, 90}, {0, 95}, {0, 99}};
+    const auto longestWith = [&](const SpanStep& last) {
+        std::vector<SpanStep> all = steps;
+        all.push_back(last);
+        RunLanes longest;
+        longest.values[0] = 7;
+        walkSpans(spans, all, longest);
+        return std::vector<int>(std::begin(longest.values), std::end(longest.values));
+    };
+    std::vector<int> expected(lanesPerPart, 3);  // 90, 95, 99 from lane 11 on
+    std::fill_n(expected.begin(), 11, 2);        // 95, 99
+    std::fill_n(expected.begin(), 6, 1);         // 99
+    expected[0] = 7;                             // of an earlier day
+    expected[1] = 0;                             // 99 is not above 99
+    EXPECT_EQ(longestWith({0, 10, true}), expected);
+    std::fill(expected.begin() + 11, expected.end(), 4);
+    EXPECT_EQ(longestWith({0, 10, false}), expected) << "the same day";
+}
+
+/// Shares of a row of cells by level, which levels are known and touched, and the marks that follow.
+struct DarkCase {
+    std::string what;
+    std::array<float, 6> shares;
+    unsigned known, touched;
+    DarkLevels dark;
+};
+
+// Marks of the levels, and then of the changes in sixteenths.
+const std::vector<DarkCase>& darkCases() {
+    static const std::vector<DarkCase> cases{
+        {"rises, half-way between two levels", {0, 0.25, 0.375, 0.625, 0.75, 1}, 0x3f, 0x3f, 0x8'0038},
+        {"falls, at a quarter of the way", {1, 0.625, 0.125, 0, 0, 0}, 0x3f, 0x3f, 0x4'0003},
+        {"reached at a level itself is dark", {0, 0.5, 0.5, 0.5, 0.5, 0.5}, 0x3f, 0x3f, 0xf'003e},
+        {"less throughout", {0.25, 0.25, 0.25, 0.25, 0.25, 0.25}, 0x3f, 0x3f, 0},
+        {"the fifth change has no place", {0, 1, 0, 1, 0, 1}, 0x3f, 0x3f, 0x8888'002a},
+        {"unknown levels are as the known one below", {0, 9, 9, 9, 1, 1}, 0x31, 0x3f, 0x8'0030},
+        {"below the lowest known as that one", {9, 9, 1, 9, 9, 9}, 0x04, 0x3f, 0x3f},
+        {"crowns touch one level", {9, 9, 1, 9, 9, 9}, 0x3f, 0x04, 0x88'0004},
+        {"no crown touches the row", {9, 9, 9, 9, 9, 9}, 0x3f, 0, 0},
+    };
+    return cases;
+}
+
+struct DarkScene {
+    CrownLevels levels;
+    CrownDepths shares;
+    std::array<std::uint16_t, CrownDepths::side> computed{};
+    alignas(64) std::array<DarkLevels, ReceiverBlocks::cells> inLeaf, bare;
+    bool anyBare = false;
+
+    // A case in each row; out of season the same.
+    explicit DarkScene(std::span<const DarkCase> cases) {
+        levels.count = cases.front().shares.size();
+        for (std::size_t row = 0; row < cases.size(); ++row) {
+            computed[row] = std::uint16_t(cases[row].known);
+            shares.touched[row] = std::uint16_t(cases[row].touched);
+            for (std::size_t level = 0; level < levels.count; ++level) {
+                std::ranges::fill(shares.inLeaf[row][level], cases[row].shares[level]);
+                std::ranges::fill(shares.bare[row][level], cases[row].shares[level]);
+            }
+        }
+    }
+    bool find() {
+        return findDark(levels, shares, computed.data(), 0.5F, inLeaf.data(), bare.data(), anyBare);
+    }
+};
+
+TEST(FindDark, MarksLevelsAndWhereTheShareIsReachedBetweenThem) {
+    const auto scene = std::make_unique<DarkScene>(darkCases());
+    EXPECT_TRUE(scene->find());
+    EXPECT_FALSE(scene->anyBare) << "no sun is out of season";
+    for (std::size_t row = 0; row < CrownDepths::side; ++row)
+        for (std::size_t cell = 0; cell < CrownDepths::side; ++cell) {
+            const std::size_t at = row * CrownDepths::side + cell;
+            EXPECT_EQ(scene->inLeaf[at], row < darkCases().size() ? darkCases()[row].dark : 0)
+                << (row < darkCases().size() ? darkCases()[row].what : "no case");
+            EXPECT_EQ(scene->bare[at], 0U);
+        }
+    for (const std::size_t row : {3U, 8U})
+        EXPECT_FALSE(std::make_unique<DarkScene>(std::span(&darkCases()[row], 1))->find());
+}
+
+TEST(FindDark, KeepsCellsOfARowApart) {
+    const auto scene = std::make_unique<DarkScene>(std::span(darkCases()).first(1));
+    for (std::size_t cell = 0; cell < CrownDepths::side; ++cell)
+        for (std::size_t level = 0; level < scene->levels.count; ++level)
+            scene->shares.inLeaf[0][level][cell] = darkCases()[cell % 5].shares[level];
+    EXPECT_TRUE(scene->find());
+    for (std::size_t cell = 0; cell < CrownDepths::side; ++cell)
+        EXPECT_EQ(scene->inLeaf[cell], darkCases()[cell % 5].dark) << cell;
+}
+
+// Suns of two levels are out of season: the others count as the lower one of the two.
+TEST(FindDark, OutOfSeasonKnowsTheLevelsThatHaveSuns) {
+    const DarkCase falling{"", {9, 1, 9, 9, 0, 9}, 0x3f, 0x3f, 0x8'000f};
+    const auto scene = std::make_unique<DarkScene>(std::span(&falling, 1));
+    scene->levels.bare[1] = 2;
+    scene->levels.bare[4] = 1;
+    scene->find();
+    EXPECT_TRUE(scene->anyBare);
+    for (std::size_t cell = 0; cell < CrownDepths::side; ++cell)
+        EXPECT_EQ(scene->bare[cell], falling.dark) << cell;
 }
 
 // Of random marks of 64 cells, the spans as they follow from the words of DarkLevels: also beyond the four

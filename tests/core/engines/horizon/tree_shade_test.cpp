@@ -614,14 +614,13 @@ TEST(TreeShade, OfTheSweepHasTheLongestRunsOfLeafDaysOfSingleTrees) {
     const auto taken =
         sweepCrowns(city, crowns, receivers, sun, makeOneSet(sun), quiet, {}, ShadowCounts::grossAndRuns)
             .value();
+    TreeShade shade = makeTreeShade(rays, taken.treesUsed);
+    addRuns(taken.runs, receivers, shade);
     double off = 0, longer = 0;
-    for (std::size_t i = 0; i < receivers.cells.size(); ++i) {
-        const float plain = rays.continuousMin[receivers.cells[i]],
-                    exact = rays.trees->seasonal->continuousMin[receivers.cells[i]];
-        const bool isLonger = taken.runs.seasonal[i] > taken.runs.without[i];
-        const float found = isLonger ? std::max(plain, taken.runs.seasonal[i]) : plain;
-        off += std::abs(double(found) - double(exact));
-        longer += double(exact) - double(plain);
+    for (const std::uint32_t cell : receivers.cells) {
+        const auto exact = double(rays.trees->seasonal->continuousMin[cell]);
+        off += std::abs(double(shade.seasonal->continuousMin[cell]) - exact);
+        longer += exact - double(rays.continuousMin[cell]);
     }
     EXPECT_GT(longer, double(receivers.cells.size()));
     EXPECT_LT(off, 0.1 * longer);

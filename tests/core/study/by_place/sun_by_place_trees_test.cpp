@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -10,6 +13,7 @@
 #include "core/io/places/read_places.h"
 #include "core/study/by_place/place_tables.h"
 #include "core/study/elements/element_tables.h"
+#include "core/study/tiles/by_place_measure.h"
 #include "tests/core/study/by_place/place_scenes.h"
 
 namespace noonmark {
@@ -154,13 +158,17 @@ TEST(SunByPlace, WithoutATreeInReachNothingIsAdded) {
     EXPECT_TRUE(measureByPlace(avenue(), {park}, without).withTrees.empty());
 }
 
-TEST(SunByPlace, PlantingAnAvenueTakesSunOnlyWithTrees) {
-    const NamedCity cities[]{{"Before", loneTower()}, {"Avenue", avenue()}};
+// Three days and the first of them alone; a baseline without trees, and a scenario that plants an avenue.
+SunOfCities plantAvenue() {
     SunByPlaceSettings settings = settingsOfDays(3);
     settings.lossMin = 30;
-    NoProgress quiet;
-    const SunOfCities all =
-        compareSunByPlace(cities, {namedPlace("Park", -30, 20, 50, 60)}, settings, quiet, {}).value();
+    settings.dates = {settings.study.period.start};
+    return compareByPlace({{"Before", loneTower()}, {"Avenue", avenue()}},
+                          {namedPlace("Park", -30, 20, 50, 60)}, settings);
+}
+
+TEST(SunByPlace, PlantingAnAvenueTakesSunOnlyWithTrees) {
+    const SunOfCities all = plantAvenue();
     ASSERT_EQ(all.compared.size(), 1U);
     const ComparedSun& planted = all.compared[0];
     EXPECT_EQ(planted.changes[0].meanHours, 0);
@@ -189,12 +197,7 @@ TEST(SunByPlace, PlantingAnAvenueTakesSunOnlyWithTrees) {
 
 // A spreadsheet gets cities, trees and months as values of rows: columns that can be seen at once.
 TEST(SunByPlace, TablesForSpreadsheetsHaveTheSameColumnsWhateverIsAsked) {
-    const NamedCity cities[]{{"Before", loneTower()}, {"Avenue", avenue()}};
-    SunByPlaceSettings settings = settingsOfDays(3);
-    settings.dates = {settings.study.period.start};
-    NoProgress quiet;
-    const SunOfCities all =
-        compareSunByPlace(cities, {namedPlace("Park", -30, 20, 50, 60)}, settings, quiet, {}).value();
+    const SunOfCities all = plantAvenue();
     const auto tableOf = [&](std::size_t i) {
         return parseCsvRows(toCsv(placeTables()[i].make(all.baseline, all.compared)));
     };
@@ -217,8 +220,8 @@ TEST(SunByPlace, TablesForSpreadsheetsHaveTheSameColumnsWhateverIsAsked) {
     EXPECT_THAT(parts[0].fields,
                 testing::ElementsAre("name", "kind", "part_of", "scenario", "trees", "time", "time_kind",
                                      "hours_mean", "shadow_mean_min", "share_below", "change_hours"));
-    ASSERT_EQ(parts.size(), 1 + 2 * 3 * listParts(all.baseline).size());
-    EXPECT_EQ(parts.back().fields[5], formatText(settings.dates[0]));
+    ASSERT_EQ(parts.size(), 1 + 6 * listParts(all.baseline).size());
+    EXPECT_EQ(parts.back().fields[5], formatText(all.baseline.settings.dates[0]));
     EXPECT_EQ(parts.back().fields[6], "date");
     EXPECT_NEAR(std::stod(parts.back().fields[7]), all.compared[0].sun.withTrees[1].sun[0].dateHours[0],
                 1e-4);
@@ -237,6 +240,90 @@ TEST(SunByPlace, TablesForSpreadsheetsHaveTheSameColumnsWhateverIsAsked) {
     EXPECT_EQ(plainRows(0).size(), 2U);
     EXPECT_EQ(plainRows(1)[0].fields,
               std::vector<std::string>(parts[0].fields.begin(), parts[0].fields.end() - 1));
+}
+
+std::vector<std::string> rowsOfScenario(const SunOfCities& all, const PlaceTable& table) {
+    std::vector<std::string> rows;
+    for (const CsvRow& row : parseCsvRows(toCsv(table.make(all.baseline, all.compared))))
+        if (row.fields[3] == "Avenue") rows.push_back(fmt::format("{}", fmt::join(row.fields, ";")));
+    return rows;
+}
+
+// Columns belong together by what they count, wherever they stand: a baseline that lacks one has no tree that
+// reaches a place, and with trees what it has without.
+TEST(SunByPlace, ABaselineWithoutColumnsOfTreesHasInThemItsSunWithout) {
+    const SunOfCities all = plantAvenue();
+    EXPECT_NE(all.baseline.treesHow, "") << "it has columns, though no trees of its own";
+    SunOfCities bare = all;
+    bare.baseline.withTrees.clear();
+    EXPECT_EQ(listSunColumns(bare), listSunColumns(all));
+    const auto changes = computeChangesWithTrees(bare.baseline, bare.compared[0].sun);
+    ASSERT_EQ(changes.size(), 2U);
+    for (std::size_t column = 0; column < 2; ++column)
+        EXPECT_EQ(changes[column][0].maxLossMin, all.compared[0].changesWithTrees[column][0].maxLossMin);
+    for (const PlaceTable& table : placeTables()) {
+        EXPECT_EQ(rowsOfScenario(bare, table), rowsOfScenario(all, table)) << table.file;
+        EXPECT_FALSE(rowsOfScenario(bare, table).empty());
+    }
+    const auto json = nlohmann::json::parse(toJson(bare.baseline, bare.compared)),
+               whole = nlohmann::json::parse(toJson(all.baseline, all.compared));
+    EXPECT_EQ(json["places"][0]["scenarios"], whole["places"][0]["scenarios"]);
+    EXPECT_EQ(json["definitions"], whole["definitions"]);
+    EXPECT_EQ(json["engine_trees"], whole["engine_trees"]);
+    EXPECT_THAT(toCsv(makeTable(bare.baseline, bare.compared)),
+                HasSubstr("change_hours_2026_02_seasonal_avenue"));
+
+    const auto shown = inColumn(bare, TreeColumns::seasonal);
+    ASSERT_TRUE(shown);
+    EXPECT_EQ(shown->baseline.sun[0].meanHours, all.baseline.sun[0].meanHours);
+    EXPECT_EQ(shown->compared[0].sun.sun[0].meanHours, all.compared[0].sun.withTrees[1].sun[0].meanHours);
+    EXPECT_EQ(shown->compared[0].changes[0].meanHours, all.compared[0].changesWithTrees[1][0].meanHours);
+
+    const auto lineOf = [](const SunOfCities& of) {
+        const std::string lines = formatLines(of);
+        return nlohmann::json::parse(lines.substr(lines.find('\n') + 1));
+    };
+    ASSERT_EQ(lineOf(bare)["with_trees"].size(), 2U);
+    EXPECT_EQ(lineOf(bare)["with_trees"], lineOf(all)["with_trees"]);
+}
+
+TEST(SunByPlace, ColumnsInAnotherOrderAreComparedWithTheirLike) {
+    const SunOfCities all = plantAvenue();
+    SunOfCities turned = all;
+    std::ranges::reverse(turned.baseline.withTrees);
+    turned.baseline.withTrees[1].sun[0].meanHours = 9;  // evergreen
+    const auto changes = computeChangesWithTrees(turned.baseline, turned.compared[0].sun);
+    EXPECT_NEAR(changes[0][0].meanHours, all.compared[0].sun.withTrees[0].sun[0].meanHours - 9, 1e-9);
+    EXPECT_EQ(changes[1][0].meanHours, all.compared[0].changesWithTrees[1][0].meanHours);
+    const auto seasonal = inColumn(turned, TreeColumns::seasonal);
+    ASSERT_TRUE(seasonal);
+    EXPECT_EQ(seasonal->compared[0].changes[0].meanHours, changes[1][0].meanHours);
+}
+
+// Who fells the only trees leaves the scenario none: what it gains stays stated.
+TEST(SunInColumn, AScenarioWithoutTheColumnIsSetAgainstTheBaselinesTrees) {
+    const SunOfCities planted = plantAvenue();
+    SunOfCities felled{planted.compared[0].sun, {{planted.baseline, planted.compared[0].changes, {}}}};
+    felled.compared[0].sun.withTrees.clear();
+    const auto shown = inColumn(felled, TreeColumns::seasonal);
+    ASSERT_TRUE(shown);
+    EXPECT_EQ(shown->compared[0].changes[0].meanHours, -planted.compared[0].changesWithTrees[1][0].meanHours);
+    EXPECT_EQ(shown->compared[0].changes[0].maxGainMin,
+              planted.compared[0].changesWithTrees[1][0].maxLossMin);
+}
+
+TEST(ShadowFigures, StandForTheHoursOfSunAndNothingElse) {
+    for (const std::span<const Figure> figures :
+         {sunOfPlaceFigures().rows(), sunFiguresWithTrees(TreeColumns::evergreen),
+          sunFiguresWithTrees(TreeColumns::seasonal)})
+        for (const Figure& figure : figures) {
+            const ShadowFigure* shadow = findShadow(figure);
+            EXPECT_EQ(shadow != nullptr, figure.key.starts_with("hours_")) << figure.key;
+            const SunOfPlace of{.meanHours = 1, .minHours = 2, .maxHours = 3};
+            if (shadow == nullptr) continue;
+            EXPECT_EQ(of.*shadow->hours, figure.get(&of)) << figure.key;
+        }
+    for (const Figure& figure : sunChangeFigures().rows()) EXPECT_EQ(findShadow(figure), nullptr);
 }
 
 // Layers of places are drawn by the column of their table that the legend shows.

@@ -61,7 +61,7 @@ bool GlazingSession::applies() const {
 Result<GlazingQuestion> GlazingSession::question() { return questionOf(review_.comparedCities()); }
 
 Result<GlazingQuestion> GlazingSession::questionOf(const Result<ReviewedCities>& cities) {
-    if (!workbench_.city()) return failure("No city is open", {}, "Open a file or a sample first");
+    if (!workbench_.city()) return tl::make_unexpected(noCityError());
     auto rule = review_.rule();
     if (!rule) return tl::make_unexpected(rule.error());
     const ReviewChoice& choice = review_.choice();
@@ -70,8 +70,8 @@ Result<GlazingQuestion> GlazingSession::questionOf(const Result<ReviewedCities>&
                        "Choose a file of points or polygons with heights, or take the facades");
     if (!cities) return tl::make_unexpected(cities.error());
     if (cities->before == cities->after)
-        return failure("A review of windows compares two scenarios, and both are " + cities->to, {},
-                       "Design a tower, or choose a scenario with a proposal");
+        return tl::make_unexpected(
+            proposesNothing("A review of windows compares two scenarios, and both are " + cities->to));
     auto windows = findElementParts(choice.windows, workbench_.session().project(), *cities->after);
     if (!windows) return tl::make_unexpected(windows.error());
     const StudySettings& study = workbench_.document().settings();
@@ -174,7 +174,7 @@ QString GlazingSession::whyOutdated() {
 }
 
 Result<std::shared_ptr<const GlazingAnswer>> GlazingSession::finished() const {
-    if (!answer_) return failure("There is no review to export", {}, "Press Run review first");
+    if (!answer_) return tl::make_unexpected(noReviewError());
     return answer_;
 }
 
