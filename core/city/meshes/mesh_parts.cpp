@@ -23,7 +23,7 @@ constexpr const char* notClosedText = NM_TEXT("its surface is not closed; it is 
 constexpr const char* turnedText = NM_TEXT("its faces pointed inward and were turned");
 constexpr const char* withoutOutlineText = NM_TEXT("its outline could not be determined");
 
-double distanceTo(const Footprint& footprint, glm::dvec2 point) {
+double distanceToArea(const Footprint& footprint, glm::dvec2 point) {
     return contains(footprint, point) ? 0 : distanceTo(footprint.outer, point);
 }
 
@@ -44,7 +44,7 @@ glm::dvec2 widestMiddle(const TriangleMesh& mesh) {
 
 std::size_t nearestPiece(const std::vector<Footprint>& pieces, glm::dvec2 point) {
     const auto nearer = [&](const Footprint& a, const Footprint& b) {
-        return distanceTo(a, point) < distanceTo(b, point);
+        return distanceToArea(a, point) < distanceToArea(b, point);
     };
     return std::size_t(std::min_element(pieces.begin(), pieces.end(), nearer) - pieces.begin());
 }
