@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/gui/base/looks/language.h"
+#include "app/language/language.h"
 #include "app/gui/frame/window_start.h"
 #include "tests/golden/window_states.h"
 

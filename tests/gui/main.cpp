@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/gui/base/looks/language.h"
+#include "app/language/language.h"
 #include "app/gui/frame/window_start.h"
 
 /// Widgets and the 3D view need a display; ctest runs this under Xvfb.

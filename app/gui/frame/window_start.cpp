@@ -11,7 +11,7 @@
 #include <QSlider>
 
 #include "app/gui/base/looks/application_theme.h"
-#include "app/gui/base/looks/language.h"
+#include "app/language/language.h"
 #include "app/gui/base/looks/units.h"
 #include "app/gui/frame/main_window.h"
 #include "core/base/version.h"

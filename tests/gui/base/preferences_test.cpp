@@ -6,7 +6,7 @@
 #include <QDialogButtonBox>
 #include <QPushButton>
 
-#include "app/gui/base/looks/language.h"
+#include "app/language/language.h"
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/number_text.h"

@@ -10,7 +10,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/gui/base/looks/language.h"
+#include "app/language/language.h"
 #include "app/gui/base/looks/units.h"
 #include "app/gui/docks/study_form/accuracy_section.h"
 #include "app/gui/docks/study_form/study_dock.h"

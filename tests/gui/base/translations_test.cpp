@@ -15,7 +15,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/gui/base/looks/language.h"
+#include "app/language/language.h"
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"

@@ -13,7 +13,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/gui/base/looks/language.h"
+#include "app/language/language.h"
 #include "app/gui/frame/window_layout.h"
 #include "tests/gui/answers_window.h"
 

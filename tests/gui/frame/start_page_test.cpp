@@ -14,7 +14,7 @@
 #include <QToolBar>
 #include <cstdlib>
 
-#include "app/gui/base/looks/language.h"
+#include "app/language/language.h"
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/docks/study_form/study_dock.h"
 #include "tests/gui/project_window.h"

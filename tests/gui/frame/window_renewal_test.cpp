@@ -17,7 +17,7 @@
 #include <QTemporaryDir>
 #include <QUndoStack>
 
-#include "app/gui/base/looks/language.h"
+#include "app/language/language.h"
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/frame/main_window.h"

@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/looks/application_theme.h"
-#include "app/gui/base/looks/language.h"
+#include "app/language/language.h"
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/docks/sheets/sheet_form.h"
