@@ -49,11 +49,11 @@ void install(const QString& file, const QString& folder, QCoreApplication& appli
 namespace {
 
 std::atomic<int> changes = 0;
-std::atomic<const char*> codeOfWindow = "en";
+std::atomic<Language> languageOfWindow = Language::english;
 
 }  // namespace
 
-QString codeInUse() { return QString::fromLatin1(codeOfWindow); }
+Language languageInUse() { return languageOfWindow; }
 
 int countLanguageChanges() { return changes; }
 
@@ -89,7 +89,7 @@ void applyLanguage(Language language, QCoreApplication& application) {
     noteLanguageChange();
     const QString code = findTranslation(language, QLocale::system().uiLanguages());
     for (const LanguageEntry& entry : languages)
-        if (code == QLatin1String(entry.code)) codeOfWindow = entry.code;
+        if (code == QLatin1String(entry.code)) languageOfWindow = entry.language;
     // Qt took the decimal comma of the system for C functions too, which read and write files.
     std::setlocale(LC_NUMERIC, "C");
     QLocale::setDefault(chooseLocale(code, QLocale::system()));

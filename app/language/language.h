@@ -40,8 +40,8 @@ QLocale chooseLocale(const QString& code, const QLocale& system);
 /// installed are removed.
 void applyLanguage(Language language, QCoreApplication& application);
 
-/// The code of the language that applyLanguage() chose; "en" before.
-QString codeInUse();
+/// The language that applyLanguage() chose, never Language::system; English before.
+Language languageInUse();
 
 /// How often the language has changed: what was translated under another count is found anew. Whoever
 /// installs a translator by hand notes it.

@@ -61,7 +61,8 @@ public:
         return known_.find(english, find_).toStdString();
     }
     [[nodiscard]] std::string ruleText(std::string_view english) const override {
-        return english.empty() ? std::string() : find_(ruleContext, std::string(english).c_str()).toStdString();
+        return english.empty() ? std::string()
+                               : find_(ruleContext, std::string(english).c_str()).toStdString();
     }
     [[nodiscard]] std::string numbers(std::string_view english) const override {
         return localiseNumbers(QString::fromUtf8(english.data(), qsizetype(english.size())), locale_())
@@ -91,7 +92,8 @@ QString findInstalled(const char* context, const char* source) {
 /// By a translator of its own, which is not installed.
 std::unique_ptr<Wording> loadWording(const QString& code) {
     auto translator = std::make_shared<QTranslator>();
-    if (!translator->load(QStringLiteral("noonmark_") + code, QStringLiteral(":/translations"))) return nullptr;
+    if (!translator->load(QStringLiteral("noonmark_") + code, QStringLiteral(":/translations")))
+        return nullptr;
     return std::make_unique<QtWording>(
         [translator](const char* context, const char* source) {
             const QString found = translator->translate(context, source);
@@ -109,7 +111,7 @@ QString translated(std::string_view text) {
 
 const Wording& windowWording() {
     static const QtWording window(findInstalled, [] { return QLocale(); });
-    return codeInUse() == QStringLiteral("en") ? englishWording() : window;
+    return languageInUse() == Language::english ? englishWording() : window;
 }
 
 const Wording& wordingOf(Language language) {

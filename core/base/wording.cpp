@@ -41,6 +41,8 @@ const Wording& englishWording() {
 
 const Wording& wordingInUse() { return inUse ? *inUse : englishWording(); }
 
+const Wording* findScopedWording() { return inUse; }
+
 WordingScope::WordingScope(const Wording& wording) : before_(inUse) { inUse = &wording; }
 WordingScope::~WordingScope() { inUse = before_; }
 

@@ -35,6 +35,9 @@ const Wording& englishWording();
 /// The language of the scope around the call in this thread; English without one.
 const Wording& wordingInUse();
 
+/// The language of the scope around the call; null without one.
+const Wording* findScopedWording();
+
 /// What this thread writes for people is in that language while it lives.
 class WordingScope {
 public:

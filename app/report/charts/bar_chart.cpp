@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/report/maps/sheet_text.h"
 #include "app/report/maps/style.h"
 
 namespace noonmark {
@@ -56,9 +57,9 @@ QString shortened(const QString& name, qsizetype letters) {
 }  // namespace
 
 BarChart makeMonthBars(const PlaceReview& place, UnitSystem units) {
-    BarChart chart{{{QStringLiteral("Baseline"), shade::baseline},
-                    {QStringLiteral("Scenario"), shade::proposal},
-                    {QStringLiteral("Incremental"), shade::incremental}},
+    BarChart chart{{{sheetText("Baseline"), shade::baseline},
+                    {sheetText("Scenario"), shade::proposal},
+                    {sheetText("Incremental"), shade::incremental}},
                    {},
                    true,
                    units};
@@ -70,9 +71,9 @@ BarChart makeMonthBars(const PlaceReview& place, UnitSystem units) {
         sums[1] += row.weight * row.scenarioM2h;
         sums[2] += row.weight * row.incrementalM2h;
     }
-    const QLocale english(QLocale::English);
     for (const auto& [month, sums] : months)
-        chart.groups.push_back({english.monthName(int(month), QLocale::ShortFormat), sums});
+        chart.groups.push_back(
+            {QString::fromStdString(wordingInUse().month(std::chrono::month(month), true)), sums});
     return chart;
 }
 
@@ -91,7 +92,7 @@ BarChart makeBarChart(const Bars& bars, FigureUnit figure, UnitSystem units, con
 void paintBars(const Canvas& canvas, const QRectF& area, const BarChart& chart) {
     canvas.painter.save();
     if (chart.groups.empty()) {
-        paintNothing(canvas, area, QStringLiteral("No month has a day that counts"));
+        paintNothing(canvas, area, sheetText("No month has a day that counts"));
     } else {
         const BarAxes axes = axesOf(area, canvas.point, chart);
         for (std::size_t i = 0; i < chart.groups.size(); ++i) paintGroup(canvas, axes, chart, i);

@@ -43,10 +43,10 @@ std::string formatMeasured(Measure measure, double value, UnitSystem units) {
 }
 
 std::string describeLimit(const Criterion& criterion, const Limit& limit, UnitSystem units) {
-    const std::string value = limit.ofFormer && !limit.isLoss
-                                  ? fillText(NM_TEXT("%1 x former"),
-                                             {localNumbers(fmt::format("{:g}", limit.value))})
-                                  : formatMeasured(criterion.measure, limit.value, units);
+    const std::string value =
+        limit.ofFormer && !limit.isLoss
+            ? fillText(NM_TEXT("%1 x former"), {localNumbers(fmt::format("{:g}", limit.value))})
+            : formatMeasured(criterion.measure, limit.value, units);
     if (limit.isLoss)
         return fillText(NM_TEXT("loss %1"),
                         {fmt::format("{} {}", ruleNameOf(comparisonNames(), limit.comparison), value)});
@@ -56,9 +56,8 @@ std::string describeLimit(const Criterion& criterion, const Limit& limit, UnitSy
 std::string describeLimits(const Criterion& criterion, UnitSystem units) {
     std::string text;
     for (const Limit& limit : criterion.limits)
-        text = text.empty()
-                   ? describeLimit(criterion, limit, units)
-                   : fillText(NM_TEXT("%1 or %2"), {text, describeLimit(criterion, limit, units)});
+        text = text.empty() ? describeLimit(criterion, limit, units)
+                            : fillText(NM_TEXT("%1 or %2"), {text, describeLimit(criterion, limit, units)});
     return text;
 }
 
@@ -69,8 +68,8 @@ std::string describeResult(const Criterion& criterion, const CriterionResult& re
         text += fillText(NM_TEXT(" (former %1)"),
                          {formatMeasured(criterion.measure, result.former->value, units)});
     if (result.day)
-        text += fillText(NM_TEXT(" on %1"), {isEnglishInUse() ? formatText(*result.day)
-                                                              : wordingInUse().date(*result.day)});
+        text += fillText(NM_TEXT(" on %1"),
+                         {isEnglishInUse() ? formatText(*result.day) : wordingInUse().date(*result.day)});
     return text + fillText(NM_TEXT(", wanted %1"), {describeLimits(criterion, units)});
 }
 
