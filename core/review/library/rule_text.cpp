@@ -136,12 +136,25 @@ std::vector<std::string> localTexts(const std::vector<std::string>& texts) {
 }
 
 // The labels of lines and lists below.
-[[maybe_unused]] constexpr std::array labels{
-    NM_TEXT("days"),      NM_TEXT("window"),   NM_TEXT("clock"),       NM_TEXT("step"),
-    NM_TEXT("receivers"), NM_TEXT("casters"),  NM_TEXT("trees"),       NM_TEXT("baseline"),
-    NM_TEXT("criterion"), NM_TEXT("holds if"), NM_TEXT("or"),          NM_TEXT("share"),
-    NM_TEXT("sunshine"),  NM_TEXT("sum"),      NM_TEXT("table"),       NM_TEXT("diagrams"),
-    NM_TEXT("choice"),    NM_TEXT("Figures"),  NM_TEXT("Not checked"), NM_TEXT("How the rule is read")};
+[[maybe_unused]] constexpr std::array labels{NM_TEXT("days"),
+                                             NM_TEXT("clock"),
+                                             NM_TEXT("step"),
+                                             NM_TEXT("receivers"),
+                                             NM_TEXT("casters"),
+                                             NM_TEXT("trees"),
+                                             NM_TEXT("baseline"),
+                                             NM_TEXT("criterion"),
+                                             NM_TEXT("holds if"),
+                                             NM_TEXT("or"),
+                                             NM_TEXT("share"),
+                                             NM_TEXT("sunshine"),
+                                             NM_TEXT("sum"),
+                                             NM_TEXT("table"),
+                                             NM_TEXT("diagrams"),
+                                             NM_TEXT("choice"),
+                                             NM_TEXT("Figures"),
+                                             NM_TEXT("Not checked"),
+                                             NM_TEXT("How the rule is read")};
 
 // The names of diagrams in rule files.
 [[maybe_unused]] constexpr std::array viewNames{NM_TEXT("plan"), NM_TEXT("fan"), NM_TEXT("isochrones"),
@@ -164,7 +177,9 @@ std::string diagramsText(const RuleDiagrams& diagrams) {
 
 std::string partsText(const Rule& rule) {
     std::string text = line("days", daysText(rule.days), rule.days.evidence);
-    text += line("window", ruleHoursText(rule.window), rule.window.evidence);
+    // The word of rule files; in other languages it would read as a window of glass.
+    text += line(isEnglishInUse() ? "window" : NM_TEXT("hours"), ruleHoursText(rule.window),
+                 rule.window.evidence);
     text += line("clock", clockText(rule.clock), rule.clock.evidence);
     text += line("step",
                  numberText(rule.sampling.stepMinutes) + " min" +

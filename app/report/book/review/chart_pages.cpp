@@ -59,8 +59,7 @@ private:
 
     [[nodiscard]] BookPage page(const QString& what, bool isFirst) const {
         return {what + QStringLiteral(": ") + name(),
-                sheetText("%1 measured. Clock: %2.")
-                    .arg(areaText(review_.areaM2), plainText(scene_.source.study.clock)),
+                sheetText("%1 measured. Clock: %2.").arg(areaText(review_.areaM2), clockText(scene_)),
                 isFirst ? name() : QString(),
                 1,
                 {}};
@@ -142,11 +141,8 @@ public:
 private:
     void share(const QString& name, std::vector<PageChart> drawn) {
         if (!isShared_ || pages_.back().items.size() + drawn.size() > areas_.size())
-            pages_.push_back({sheetText("Timelines"),
-                              sheetText("Clock: %1.").arg(plainText(scene_.source.study.clock)),
-                              {},
-                              1,
-                              {}});
+            pages_.push_back(
+                {sheetText("Timelines"), sheetText("Clock: %1.").arg(clockText(scene_)), {}, 1, {}});
         isShared_ = true;
         BookPage& page = pages_.back();
         page.bookmark += (page.bookmark.isEmpty() ? QString() : QStringLiteral("; ")) + name;

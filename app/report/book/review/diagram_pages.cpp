@@ -57,7 +57,7 @@ PageItem footOf(const ReviewScene& scene, double scale, double cellM, DiagramFoo
     const PageSetup& setup = scene.settings.setup;
     const double height = diagramFootPt(textScale(setup));
     const QRectF all = contentArea(setup);
-    QString note = sheetText("Times: %1.").arg(plainText(scene.source.study.clock));
+    QString note = sheetText("Times: %1.").arg(clockText(scene));
     if (cellM > 0)
         note += sheetText(" Edges of shadows follow cells of %1 m, because the ground is not level.")
                     .arg(describeAmount(cellM, 2));

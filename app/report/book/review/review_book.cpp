@@ -106,7 +106,7 @@ TextBlocks methodOf(const ReviewScene& scene) {
     const std::size_t days = scene.sun.sun.days.size();
     add(sheetText("Time: %1, %2 of %3 min with the sun in the rule's hours. Clock: %4.")
             .arg(describeCount(days, "day"), describeCount(scene.sun.sun.steps.size(), "step"),
-                 describeAmount(study.stepMinutes, 4), plainText(study.clock)));
+                 describeAmount(study.stepMinutes, 4), clockText(scene)));
     add(sheetText("Sun: ERFA, topocentric, seen from %1; apparent altitude, with refraction.")
             .arg(describeLatLon(observer.place)));
     add(sheetText("Frame: metres to the east and true north of %1 (WGS84).")
@@ -119,7 +119,7 @@ TextBlocks methodOf(const ReviewScene& scene) {
                   "level; the figures come from the cells."));
     blocks.push_back(heading(sheetText("Not modelled")));
     add(sheetText("Small structures and penumbra; the sun is a point at the centre of its disc."));
-    add(plainText(study.trees) + sheetText(". Diagrams show the shadows of buildings and terrain."));
+    add(treesText(scene) + sheetText(". Diagrams show the shadows of buildings and terrain."));
     for (const std::string& text : study.notChecked) add(sheetRuleText(text));
     return blocks;
 }

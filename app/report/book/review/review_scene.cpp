@@ -262,6 +262,15 @@ void appendPages(std::vector<BookPage>& to, std::vector<BookPage> pages) {
     std::move(pages.begin(), pages.end(), std::back_inserter(to));
 }
 
+QString clockText(const ReviewScene& scene) { return plainText(scene.sun.clock.text()); }
+
+QString treesText(const ReviewScene& scene) {
+    const ReviewStudy& study = scene.source.study;
+    if (isEnglishInUse()) return plainText(study.trees);
+    return plainText(
+        describeCountedTrees(study.rule.occluders.trees, scene.source.scenario, scene.source.baseline));
+}
+
 QString dayText(CivilDate day) { return describeDates(day); }
 
 Result<ReviewScene> makeReviewScene(const ReviewBookSource& source, const BookSettings& settings,

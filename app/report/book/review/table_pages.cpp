@@ -63,7 +63,7 @@ std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
     if (const QString places = leftOutText(scene); !places.isEmpty()) note += QStringLiteral(". ") + places;
     return NamedTable{
         sheetText("Table of the rule"),
-        sheetText("%1, clock: %2%3").arg(sheetRuleText(study.rule.name), plainText(study.clock), note),
+        sheetText("%1, clock: %2%3").arg(sheetRuleText(study.rule.name), clockText(scene), note),
         std::move(table)};
 }
 
@@ -179,7 +179,7 @@ std::optional<NamedTable> seasonTable(const ReviewScene& scene) {
     if (table.rows.empty()) return std::nullopt;
     return NamedTable{
         sheetText("Incremental shadow by season"),
-        sheetText("Seasons without incremental shadow are left out. Clock: %1").arg(plainText(study.clock)),
+        sheetText("Seasons without incremental shadow are left out. Clock: %1").arg(clockText(scene)),
         std::move(table)};
 }
 
