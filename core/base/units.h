@@ -52,8 +52,7 @@ std::optional<UnitSystem> parseUnitSystem(std::string_view name);
 inline constexpr double metresPerFoot = 0.3048;
 inline constexpr double squareMetresPerSquareFoot = metresPerFoot * metresPerFoot;
 
-/// "1,234.5": with commas between thousands, in every language. The texts with units below are for people: in
-/// the language of the WordingScope around the call (wording.h).
+/// "1,234.5": with commas between thousands
 std::string formatNumber(double value, int decimals = 0);
 
 /// "124.3 m"; "407.8 ft"; "124.3 m (407.8 ft)". `decimals`: of the metric value, 0 to 3; feet have as many.

@@ -5,6 +5,7 @@
 
 #include "core/base/wording.h"
 #include "core/describe/figure_text.h"
+#include "core/describe/fill_text.h"
 
 namespace noonmark {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <chrono>
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,14 +31,11 @@ struct Sentence {
     std::vector<Argument> arguments{};
 };
 
-/// The sentence in the language of the WordingScope around the call, with a capital at its beginning. Names
-/// among its arguments stay as they are.
+/// The sentence in English, with a capital at its beginning.
 std::string formatText(const Sentence& sentence, UnitSystem units = UnitSystem::metric);
 
 /// Replaces "%1" by the first value and so on, each where it stands in `text`; values are not searched.
 std::string fillIn(std::string_view text, std::span<const std::string> values);
-/// The same with a text that is marked by NM_TEXT, in the language of the WordingScope around the call.
-std::string fillText(std::string_view english, std::initializer_list<std::string> values);
 
 /// What the bars of a single series show.
 enum class BarTone {

@@ -1,5 +1,5 @@
 #pragma once
 
-/// Marks a text of core that the GUI and sheets show in the user's language; the command line uses it as it
-/// stands, in English (core/base/wording.h). lupdate reads the macro (app/CMakeLists.txt), in the context "noonmark".
+/// Marks a text of core that the GUI shows in the user's language; core and the command line use it as it
+/// stands, in English. lupdate reads the macro (app/CMakeLists.txt), in the context "noonmark".
 #define NM_TEXT(text) text

@@ -14,7 +14,7 @@
 #include "core/base/safe_text.h"
 #include "core/base/units.h"
 #include "core/base/wording.h"
-#include "core/describe/answer_page.h"
+#include "core/describe/fill_text.h"
 #include "core/describe/text.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/receivers/parcels/parcel_lines.h"

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "core/base/wording.h"
+#include "core/describe/fill_text.h"
 #include "core/describe/text.h"
 #include "core/review/places/verdict_text.h"
 #include "core/review/rule/rule_names.h"

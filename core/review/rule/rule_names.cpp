@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/wording.h"
-#include "core/describe/answer_page.h"
+#include "core/describe/fill_text.h"
 #include "core/describe/text.h"
 #include "core/sun/civil_time.h"
 

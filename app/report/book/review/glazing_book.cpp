@@ -93,8 +93,8 @@ NamedTable glazingTable(const GlazingBookSource& source, double points, std::siz
     const GlazingStudy& study = source.study;
     PageTable table{{sheetText("Window"), sheetText("Floor"), sheetText("Faces, deg")}, {}, {}, {}, points};
     for (const Criterion& criterion : study.rule.criteria) {
-        table.titles.push_back(sheetText("%1, before").arg(sheetRuleText(criterion.name)));
-        table.titles.push_back(sheetText("%1, after").arg(sheetRuleText(criterion.name)));
+        table.titles.push_back(sheetText("%1, before").arg(plainText(criterion.key)));
+        table.titles.push_back(sheetText("%1, after").arg(plainText(criterion.key)));
     }
     for (const auto* title :
          {NM_TEXT("Sun before"), NM_TEXT("Sun after"), NM_TEXT("Verdict before"), NM_TEXT("Verdict after")})
