@@ -29,7 +29,9 @@ namespace {
 
 const SunByPlace& sunOf(const SunOfCities& all) { return all.baseline; }
 
-QString hoursText(double hours) { return std::isnan(hours) ? QString() : plainText(formatNumber(hours, 2)); }
+QString hoursText(double hours) {
+    return std::isnan(hours) ? QString() : sheetNumbers(formatNumber(hours, 2));
+}
 QString percentText(double share) {
     return std::isnan(share) ? QString() : QStringLiteral("%1 %").arg(fixedNumber(100 * share, 0));
 }
@@ -66,9 +68,9 @@ TextBlocks describeMethod(const SunOfCities& all) {
                                       plainText(sun.field.engine)));
     add(sheetText("Cells of %1 m; places with fewer than %2 of them have cells of %3 m. Cells on the edge "
                   "of a place count with the share of them that lies in it.")
-            .arg(sun.settings.study.receivers.cellM)
+            .arg(shortNumber(sun.settings.study.receivers.cellM, 6))
             .arg(SunByPlaceSettings::smallPlaceCells)
-            .arg(std::min(sun.settings.smallCellM, sun.settings.study.receivers.cellM)));
+            .arg(shortNumber(std::min(sun.settings.smallCellM, sun.settings.study.receivers.cellM), 6)));
     add(sheetText("Without any shadow there would be %1 h of sun a day.").arg(hoursText(sun.possibleHours)));
     for (const SunWithTrees& with : sun.withTrees)
         add(sheetText("Also measured with %1.").arg(sheetText(describeTrees(with.column))));
@@ -364,7 +366,7 @@ QString changeText(double hours, const ShownSunOrShadow& shown) {
 // As hours or minutes, with the digits of the window.
 QString timeText(double sunHours, const ShownSunOrShadow& shown) {
     if (std::isnan(sunHours)) return {};
-    return shown.isShadow ? plainText(formatNumber(shown.of(sunHours), 0)) : hoursText(sunHours);
+    return shown.isShadow ? sheetNumbers(formatNumber(shown.of(sunHours), 0)) : hoursText(sunHours);
 }
 
 std::vector<QString> titlesOf(const SunOfCities& all, const ShownSunOrShadow& shown) {
@@ -423,8 +425,9 @@ NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order
 NamedTable errorTableOf(const SunByPlace& sun, bool isNamed) {
     NamedTable table{sheetText("Errors against the ray reference, on a sample"), {}, {}};
     if (isNamed) table.title += QStringLiteral(": ") + plainText(sun.name);
-    for (const char* title : {"Figure", "Of", "Mean", "99 of 100 within", "Largest", "Values"})
-        table.table.titles.push_back(QString::fromLatin1(title));
+    for (const char* title : {NM_TEXT("Figure"), NM_TEXT("Of"), NM_TEXT("Mean"), NM_TEXT("99 of 100 within"),
+                              NM_TEXT("Largest"), NM_TEXT("Values")})
+        table.table.titles.push_back(sheetText(title));
     for (const ShownError& error : sun.errors) {
         std::vector<QString> row{sheetText(error.facts.label), plainText(asOnSheets(error.of))};
         for (const double off : {error.mean, error.p99, error.largest})

@@ -50,6 +50,14 @@ void paintGroup(const Canvas& canvas, const BarAxes& axes, const BarChart& chart
     }
 }
 
+/// "2026-01" of a month, "2 to 4" of a class; in other languages "Jan 2026".
+QString nameOfGroup(const Bars::Group& group) {
+    const auto* month = std::get_if<std::chrono::year_month>(&group.name);
+    if (isEnglishInUse() || month == nullptr) return QString::fromStdString(groupKey(group));
+    return QString::fromStdString(wordingInUse().month(month->month(), true)) +
+           QStringLiteral(" %1").arg(int(month->year()));
+}
+
 QString shortened(const QString& name, qsizetype letters) {
     return name.size() <= letters ? name : name.left(letters - 1) + QChar(0x2026);
 }
@@ -84,8 +92,7 @@ BarChart makeBarChart(const Bars& bars, FigureUnit figure, UnitSystem units, con
         chart.series.push_back(
             {shortened(QString::fromStdString(bars.series[i]), qsizetype(keyLetters / bars.series.size())),
              seriesColour(i + (bars.isChange ? 1 : 0))});
-    for (const Bars::Group& group : bars.groups)
-        chart.groups.push_back({QString::fromStdString(groupKey(group)), group.values});
+    for (const Bars::Group& group : bars.groups) chart.groups.push_back({nameOfGroup(group), group.values});
     return chart;
 }
 
@@ -121,7 +128,8 @@ QString describeGroup(const BarChart& chart, std::size_t group) {
         }
         const std::string value =
             chart.isAreaHours ? formatAreaHours(values[i], chart.units) : formatArea(values[i], chart.units);
-        parts << chart.series[i].name.toLower() + u' ' + QString::fromStdString(value);
+        parts << (isEnglishInUse() ? chart.series[i].name.toLower() : chart.series[i].name) + u' ' +
+                     QString::fromStdString(value);
     }
     return name + QStringLiteral("   ") + parts.join(QStringLiteral("; "));
 }

@@ -176,9 +176,10 @@ std::optional<CarpetCell> findCellAt(const QRectF& area, double point, const Car
 
 QString describeCell(const CarpetChart& chart, const CarpetCell& cell) {
     const float share = chart.shares[cell.day * chart.rows + cell.row];
-    const QString when =
-        QStringLiteral("%1, %2").arg(QString::fromStdString(formatText(chart.days[cell.day])),
-                                     formatClock(chart.fromMin + chart.rowMin * double(cell.row)));
+    const QString when = QStringLiteral("%1, %2").arg(
+        isEnglishInUse() ? QString::fromStdString(formatText(chart.days[cell.day]))
+                         : QString::fromStdString(wordingInUse().date(chart.days[cell.day])),
+        formatClock(chart.fromMin + chart.rowMin * double(cell.row)));
     if (std::isnan(share)) return sheetText("%1   not counted").arg(when);
     const QString shadow = chart.quantity == CarpetQuantity::incremental ? sheetText("incremental shadow")
                            : chart.quantity == CarpetQuantity::scenario  ? sheetText("the scenario's shadow")

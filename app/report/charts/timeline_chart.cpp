@@ -187,14 +187,14 @@ QString describeIncremental(const DayTimeline& day, const DayClock& clock, UnitS
                          "Incremental shadow on the edge of the place alone, beside all centres of cells")
                    : sheetText("No incremental shadow in the rule's hours");
     const auto at = [&](Instant time) { return QString::fromStdString(clock.timeText(day.day, time)); };
-    const QString late = day.stepMinutes > 1
-                             ? sheetText(" (up to %1 min too late)")
-                                   .arg(QString::fromStdString(formatNumber(day.stepMinutes, 1)))
-                             : QString();
+    const QString late =
+        day.stepMinutes > 1
+            ? sheetText(" (up to %1 min too late)").arg(sheetNumbers(formatNumber(day.stepMinutes, 1)))
+            : QString();
     return sheetText("Incremental shadow from %1 to %2%6; at most %3, %4 % of the place, at %5")
         .arg(at(*shadow.enters()), at(*shadow.exits()),
              QString::fromStdString(formatArea(shadow.largestM2, units)),
-             QString::fromStdString(formatNumber(100 * shadow.largestM2 / std::max(1e-9, day.areaM2), 1)),
+             sheetNumbers(formatNumber(100 * shadow.largestM2 / std::max(1e-9, day.areaM2), 1)),
              at(*shadow.largestAt), late);
 }
 

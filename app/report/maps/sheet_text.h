@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "app/language/translated_text.h"
+#include "core/base/wording.h"
+#include "core/describe/text.h"
 
 namespace noonmark {
 
