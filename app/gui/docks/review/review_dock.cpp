@@ -311,9 +311,11 @@ void ReviewDock::showRule() {
                                       : ofGlazing ? glazingAnswer_->study.notChecked
                                                   : rule->notChecked);
     html += listOf(tr("How Noonmark reads what the rule leaves open"), rule->readings);
+    // What an answer states is English, with the trees of its city.
+    const bool isEnglish = languageInUse() == Language::english;
     const std::string trees =
-        same ? answer_->study.trees
-        : ofGlazing
+        same && isEnglish ? answer_->study.trees
+        : ofGlazing && isEnglish
             ? glazingAnswer_->study.trees
             : inWindowWords([&] { return describeCountedTrees(rule->occluders.trees); }).toStdString();
     html += QStringLiteral("<p>%1</p>").arg(QString::fromStdString(trees).toHtmlEscaped());
