@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/wording.h"
+
 namespace noonmark {
 
 namespace {
@@ -18,10 +20,13 @@ constexpr double squareMetresPerHectare = 10000;
 constexpr double largeArea = 10;
 
 std::string combine(UnitSystem units, const std::string& metric, const std::string& imperial) {
-    if (units == UnitSystem::metric) return metric;
-    if (units == UnitSystem::imperial) return imperial;
-    return fmt::format("{} ({})", metric, imperial);
+    if (units == UnitSystem::metric) return localNumbers(metric);
+    if (units == UnitSystem::imperial) return localNumbers(imperial);
+    return localNumbers(fmt::format("{} ({})", metric, imperial));
 }
+
+/// A unit that has a word of its own in other languages (texts of core/describe/figure_text.cpp).
+std::string unitWord(const char* english) { return ' ' + localText(english); }
 
 std::string formatMetricArea(double squareMetres) {
     const double hectares = squareMetres / squareMetresPerHectare;
@@ -32,8 +37,8 @@ std::string formatMetricArea(double squareMetres) {
 std::string formatImperialArea(double squareMetres) {
     const double squareFeet = squareMetres / squareMetresPerSquareFoot,
                  acres = squareFeet / squareFeetPerAcre;
-    if (std::abs(acres) >= largeArea) return formatNumber(acres, 1) + " acres";
-    return formatNumber(squareFeet, 0) + " sq ft";
+    if (std::abs(acres) >= largeArea) return formatNumber(acres, 1) + unitWord("acres");
+    return formatNumber(squareFeet, 0) + unitWord("sq ft");
 }
 
 }  // namespace
@@ -68,7 +73,7 @@ std::optional<UnitSystem> parseUnitSystem(std::string_view name) {
 
 std::string formatLength(double metres, UnitSystem units, int decimals) {
     return combine(units, formatNumber(metres, decimals) + " m",
-                   formatNumber(metres / metresPerFoot, decimals) + " ft");
+                   formatNumber(metres / metresPerFoot, decimals) + unitWord("ft"));
 }
 
 std::string formatArea(double squareMetres, UnitSystem units) {
@@ -77,12 +82,12 @@ std::string formatArea(double squareMetres, UnitSystem units) {
 
 std::string formatSmallArea(double squareMetres, UnitSystem units) {
     return combine(units, formatNumber(squareMetres) + " m²",
-                   formatNumber(squareMetres / squareMetresPerSquareFoot) + " sq ft");
+                   formatNumber(squareMetres / squareMetresPerSquareFoot) + unitWord("sq ft"));
 }
 
 std::string formatAreaHours(double squareMetreHours, UnitSystem units) {
     return combine(units, formatNumber(squareMetreHours, 0) + " m² h",
-                   formatNumber(squareMetreHours / squareMetresPerSquareFoot, 0) + " sq ft h");
+                   formatNumber(squareMetreHours / squareMetresPerSquareFoot, 0) + unitWord("sq ft") + " h");
 }
 
 namespace {

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <cctype>
 
+#include "core/base/wording.h"
 #include "core/describe/figure_text.h"
+#include "core/describe/fill_text.h"
 
 namespace noonmark {
 
@@ -29,13 +31,17 @@ std::string fillIn(std::string_view text, std::span<const std::string> values) {
     return filled;
 }
 
+std::string fillText(std::string_view english, std::initializer_list<std::string> values) {
+    return fillIn(localText(english), {values.begin(), values.size()});
+}
+
 std::string formatText(const Sentence& sentence, UnitSystem units) {
     std::vector<std::string> values;
     for (const Sentence::Argument& argument : sentence.arguments) {
         const auto* amount = std::get_if<Amount>(&argument);
         values.push_back(amount ? valueOf(*amount, units) : std::get<std::string>(argument));
     }
-    std::string text = fillIn(sentence.source, values);
+    std::string text = fillIn(localText(sentence.source), values);
     if (!text.empty()) text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
     return text;
 }

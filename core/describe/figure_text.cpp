@@ -11,6 +11,7 @@
 #include <set>
 
 #include "core/base/json_number.h"
+#include "core/base/wording.h"
 #include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 
@@ -25,6 +26,9 @@ constexpr std::array shownList{
     Choice<ShownAs>{ShownAs::sun, "sun", NM_TEXT("Sun")},
     Choice<ShownAs>{ShownAs::share, "share", NM_TEXT("Share of the sunlit time")},
 };
+
+// Of core/base/units.cpp, which lies below the macro.
+[[maybe_unused]] constexpr std::array unitWords{NM_TEXT("ft"), NM_TEXT("sq ft"), NM_TEXT("acres")};
 
 bool isTime(FigureUnit unit) {
     return unit == FigureUnit::minutes || unit == FigureUnit::minutesADay || unit == FigureUnit::hours ||
@@ -58,7 +62,7 @@ std::string amountOf(const FigureLine& line, UnitSystem units) {
                           : unit == FigureUnit::share ? 100 * line.value
                                                       : line.value;
     const int decimals = line.figure->isCount ? 0 : line.figure->shownDecimals;
-    return withoutTrailingZeros(formatNumber(amount, decimals)) + std::string(unitText(unit));
+    return localNumbers(withoutTrailingZeros(formatNumber(amount, decimals))) + localText(unitText(unit));
 }
 
 }  // namespace
@@ -103,12 +107,14 @@ std::vector<FigureLine> listLines(const DescribedFigures& figures, const FigureC
 }
 
 std::string labelOf(const FigureLine& line) {
-    if (line.measure.empty()) return std::string(line.figure->label);
+    const std::string label = localText(line.figure->label);
+    if (line.measure.empty()) return label;
     const std::string over =
         line.thresholdMin
-            ? fmt::format(" > {} min", withoutTrailingZeros(formatNumber(*line.thresholdMin, 2)))
+            ? fmt::format(" > {} min",
+                          localNumbers(withoutTrailingZeros(formatNumber(*line.thresholdMin, 2))))
             : "";
-    return fmt::format("{}{}: {}", line.measure, over, lowered(line.figure->label));
+    return fmt::format("{}{}: {}", localText(line.measure), over, isEnglishInUse() ? lowered(label) : label);
 }
 
 namespace {
@@ -126,11 +132,11 @@ std::string formatSigned(double value, int decimals) {
 }
 
 std::string valueOf(const FigureLine& line, UnitSystem units) {
-    if (std::isnan(line.value)) return NM_TEXT("not counted");
+    if (std::isnan(line.value)) return localText(NM_TEXT("not counted"));
     const std::string share =
         std::isnan(line.sharePct)
             ? std::string()
-            : fmt::format(" ({} %)", withoutTrailingZeros(formatNumber(line.sharePct, 1)));
+            : fmt::format(" ({} %)", localNumbers(withoutTrailingZeros(formatNumber(line.sharePct, 1))));
     const std::string amount = amountOf(line, units);
     const bool plus = line.figure->isChange && line.value > 0 && hasValue(amount);
     return fmt::format("{}{}{}", plus ? "+" : "", amount, share);
@@ -139,7 +145,9 @@ std::string valueOf(const FigureLine& line, UnitSystem units) {
 std::string joinLines(const std::vector<FigureLine>& lines) {
     std::string text;
     for (const FigureLine& line : lines)
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", lowered(line.figure->label), valueOf(line));
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
+                            isEnglishInUse() ? lowered(line.figure->label) : localText(line.figure->label),
+                            valueOf(line));
     return text;
 }
 
@@ -148,8 +156,8 @@ std::string definitionsOf(const std::vector<FigureLine>& lines) {
     std::set<const Figure*> defined;
     for (const FigureLine& line : lines)
         if (!line.figure->definition.empty() && defined.insert(line.figure).second)
-            text += fmt::format("{}{}: {}.", text.empty() ? "" : " ", line.figure->label,
-                                line.figure->definition);
+            text += fmt::format("{}{}: {}.", text.empty() ? "" : " ", localText(line.figure->label),
+                                localText(line.figure->definition));
     return text;
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "core/base/wording.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
 
@@ -121,7 +122,7 @@ std::vector<ShownError> listErrors(const SampledError& error, bool ofChange) {
 }
 
 std::string labelOf(const ShownError& error) {
-    const std::string label(error.facts.label);
+    const std::string label = localText(error.facts.label);
     return error.of.empty() ? label : label + ", " + error.of;
 }
 

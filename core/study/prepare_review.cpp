@@ -12,9 +12,12 @@
 #include <utility>
 
 #include "core/base/safe_text.h"
+#include "core/base/units.h"
+#include "core/base/wording.h"
+#include "core/describe/fill_text.h"
+#include "core/describe/text.h"
 #include "core/engines/common/changed_buildings.h"
 #include "core/engines/common/shadow_reach.h"
-
 #include "core/engines/ray/ray_reference.h"
 #include "core/receivers/parcels/parcel_lines.h"
 #include "core/receivers/place_names.h"
@@ -93,14 +96,22 @@ bool haveSameTrees(const City& one, const City& other) {
     return one.trees == other.trees || (one.trees && other.trees && *one.trees == *other.trees);
 }
 
-std::string describeCountedTrees(RuleTrees counted) { return fmt::format("Trees: {}", describe(counted)); }
+std::string describeCountedTrees(RuleTrees counted) {
+    return fillText(NM_TEXT("Trees: %1"), {localText(describe(counted))});
+}
 
 std::string describeCountedTrees(RuleTrees counted, const City& city, const City& existing) {
     const std::size_t all = city.trees ? city.trees->trees.size() : 0;
     const std::string what = describeCountedTrees(counted);
-    if (all == 0) return what + "; the city has no trees";
+    if (all == 0) return what + localText(NM_TEXT("; the city has no trees"));
+    if (!isEnglishInUse() && counted == RuleTrees::without)
+        return what + fillText(NM_TEXT("; trees in the city: %1"), {localNumbers(formatNumber(double(all)))});
     if (counted == RuleTrees::without) return fmt::format("{}; the city has {}", what, countOf(all, "tree"));
     const City kept = keepCountedTrees(counted, city, existing);
+    if (!isEnglishInUse())
+        return what + fillText(NM_TEXT("; trees that count: %1 of %2"),
+                               {localNumbers(formatNumber(double(kept.trees ? kept.trees->trees.size() : 0))),
+                                localNumbers(formatNumber(double(all)))});
     return fmt::format("{}; {} of the city's {} count", what, kept.trees ? kept.trees->trees.size() : 0,
                        countOf(all, "tree"));
 }

@@ -4,6 +4,10 @@
 
 #include <cmath>
 
+#include "core/base/wording.h"
+#include "core/describe/fill_text.h"
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
@@ -73,13 +77,13 @@ std::string DayClock::timeText(CivilDate date, Instant at) const {
 std::string DayClock::text() const {
     switch (settings_.kind) {
         case ClockKind::civil:
-            return zone_.name() + ", with daylight saving";
+            return fillText(NM_TEXT("%1, with daylight saving"), {zone_.name()});
         case ClockKind::standard:
-            return zone_.name() + ", standard time";
+            return fillText(NM_TEXT("%1, standard time"), {zone_.name()});
         case ClockKind::fixed:
             return offsetText(settings_.offsetHours);
         case ClockKind::trueSolar:
-            return "true solar time";
+            return localText(NM_TEXT("true solar time"));
     }
     return {};
 }

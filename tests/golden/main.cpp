@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/gui/base/looks/language.h"
 #include "app/gui/frame/window_start.h"
+#include "app/language/language.h"
 #include "tests/golden/window_states.h"
 
 /// Writes what the window says in one state after another into a folder, so that two builds can be compared:

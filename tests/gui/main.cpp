@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/gui/base/looks/language.h"
 #include "app/gui/frame/window_start.h"
+#include "app/language/language.h"
 
 /// Widgets and the 3D view need a display; ctest runs this under Xvfb.
 int main(int argc, char** argv) {

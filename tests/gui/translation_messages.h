@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/base/looks/language.h"
+#include "app/language/language.h"
 #include "tests/shared/shared_data.h"
 
 namespace noonmark::test {

@@ -7,6 +7,7 @@
 #include "app/cli/options/shared_options.h"
 #include "app/input/load_city.h"
 #include "app/report/book/review/review_book.h"
+#include "app/report/maps/sheet_text.h"
 #include "core/describe/field_values.h"
 #include "scenarios/project/title_fields.h"
 
@@ -45,6 +46,7 @@ Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSett
     settings.units = ofProject.units;
     TitleBlock& block = settings.titleBlock;
     copyFields(titleFields().of(options.layout.titleBlock), titleFields().of(block), options.given);
+    const SheetScope words(settings.language);
     if (block.date.empty()) block.date = describeToday().toStdString();
     if (!options.logo.empty()) {
         auto logo = readLogo(options.logo);

@@ -11,9 +11,9 @@
 #include <QSlider>
 
 #include "app/gui/base/looks/application_theme.h"
-#include "app/gui/base/looks/language.h"
 #include "app/gui/base/looks/units.h"
 #include "app/gui/frame/main_window.h"
+#include "app/language/language.h"
 #include "core/base/version.h"
 
 namespace noonmark {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/report/book/flow.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/answer_reports.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_report.h"
@@ -32,8 +33,8 @@ std::vector<LegendPatch> countedPatches(const SourceCounts& counts) {
     std::vector<LegendPatch> patches;
     for (const HeightSourceColour& one : heightSourceColours())
         if (const std::size_t count = counts[std::size_t(one.source)]; count > 0)
-            patches.push_back({one.colour, plainText(std::string(one.label)) + QStringLiteral(": ") +
-                                               describeCount(count)});
+            patches.push_back(
+                {one.colour, sheetText(one.label) + QStringLiteral(": ") + describeCount(count)});
     return patches;
 }
 
@@ -41,14 +42,14 @@ std::vector<LegendPatch> countedPatches(const SourceCounts& counts) {
 
 BookPage makeHeightMapPage(const City& city, const Box2& shown, const PageSetup& setup) {
     auto owned = std::make_shared<MapOfHeights>(MapOfHeights{city, {}});
-    Legend legend{QStringLiteral("Source of height"),
-                  QStringLiteral("of the highest part of each building; counts are of the whole city")};
+    Legend legend{sheetText("Source of height"),
+                  sheetText("of the highest part of each building; counts are of the whole city")};
     legend.classes = countedPatches(countSources(owned->city));
     MapScene scene{owned->city, owned->region, {}, {}};
     scene.shown = shown.empty() ? bounds(city) : shown;
     scene.fillOf = [](const Building& building) { return colourOf(sourceOfHeight(building)).colour; };
     owned->map.emplace(SheetMap{std::move(scene), std::move(legend)});
-    const QString title = QStringLiteral("Where the heights come from");
+    const QString title = sheetText("Where the heights come from");
     BookPage page{title, {}, title, 0, {}};
     page.items.push_back({contentArea(setup), PageMap{{owned, &*owned->map}}});
     return page;
@@ -70,8 +71,7 @@ double addFinding(BookPage& page, const QString& finding, const QRectF& all, dou
 }
 
 PageTable tableOfFigures(const Sheet& sheet, const PageSetup& setup) {
-    PageTable table{
-        {QStringLiteral("Figure"), QStringLiteral("Value")}, {}, {}, {}, tablePt * textScale(setup)};
+    PageTable table{{sheetText("Figure"), sheetText("Value")}, {}, {}, {}, tablePt * textScale(setup)};
     for (const FigureText& figure : sheet.figures)
         table.rows.push_back({plainText(figure.name), plainText(figure.value)});
     const double width = contentArea(setup).width();
@@ -95,7 +95,7 @@ PageMap pageMap(const SheetMap& map) { return {std::make_shared<const SheetMap>(
 
 /// The finding, the map of a sheet, and beside it or below it the figures where they have room.
 BookPage mapPageWithFigures(const PageSetup& setup, const Sheet& sheet, const PageTable& table) {
-    BookPage page = beginMapPage(sheet, QStringLiteral("Map"));
+    BookPage page = beginMapPage(sheet, sheetText("Map"));
     QRectF all = contentArea(setup);
     const double scale = textScale(setup), gap = 14 * scale;
     if (!sheet.finding.isEmpty()) all.setTop(addFinding(page, sheet.finding, all, scale));
@@ -120,12 +120,12 @@ void appendPages(Book& book, std::vector<BookPage> pages) {
 
 /// `repeat`: the command, in lines that fit a column.
 void addText(Book& book, const Sheet& sheet, std::span<const TextBlocks> sections, const TextBlocks& repeat) {
-    TextBlocks blocks{heading(QStringLiteral("Definitions"))};
+    TextBlocks blocks{heading(sheetText("Definitions"))};
     const auto add = [&](const TextBlocks& more) { blocks.insert(blocks.end(), more.begin(), more.end()); };
     add(sheet.definitions);
     for (const TextBlocks& section : sections) add(section);
     add(repeat);
-    const QString title = QStringLiteral("Method and sources");
+    const QString title = sheetText("Method and sources");
     appendPages(book, makeTextPages(book.setup, {title, {}, title, 0, {}}, blocks));
 }
 
@@ -138,11 +138,11 @@ void addMaps(Book& book, const Sheet& sheet) {
     const PageTable table = tableOfFigures(sheet, book.setup);
     book.pages.push_back(mapPageWithFigures(book.setup, sheet, table));
     if (!fitsBesideMap(table, book.setup)) {
-        const QString title = QStringLiteral("Figures");
+        const QString title = sheetText("Figures");
         appendPages(book, makeTablePages(book.setup, {title, {}, title, 0, {}}, {{title, {}, table}}));
     }
     if (!sheet.smallMap) return;
-    BookPage page = beginMapPage(sheet, sheet.smallMap->legend.title);
+    BookPage page = beginMapPage(sheet, sheetWord(sheet.smallMap->legend.title));
     page.items.push_back({contentArea(book.setup), pageMap(*sheet.smallMap)});
     book.pages.push_back(std::move(page));
 }
@@ -220,8 +220,8 @@ void addTables(Book& book, std::vector<BookPage> tables, double belowPt) {
 /// `belowPt`: left free at the bottom.
 BookPage sideBySide(const ComparedSide& before, const ComparedSide& after, const Region& region,
                     const PageSetup& setup, const Legend& legend, double belowPt) {
-    const QString title = QStringLiteral("Scenarios side by side");
-    BookPage page{title, QStringLiteral("%1 on one scale.").arg(legend.title), title, 0, {}};
+    const QString title = sheetText("Scenarios side by side");
+    BookPage page{title, sheetText("%1 on one scale.").arg(sheetWord(legend.title)), title, 0, {}};
     const double gap = 12 * textScale(setup);
     QRectF all = contentArea(setup);
     if (belowPt > 0) all.setHeight(all.height() - belowPt - gap);
@@ -252,7 +252,7 @@ BookPage sideBySide(const SavedImpact& saved, const MapScene& scene, const BookS
                       makeSharedLegend(sides.before, sides.after, settings.legend), belowPt);
 }
 
-QString titleOf(const Figure& figure) { return plainText(figure.label); }
+QString titleOf(const Figure& figure) { return sheetText(figure.label); }
 
 void addCells(std::vector<QString>& row, const DescribedFigures& figures, const BookSettings& settings,
               ShownAs show) {
@@ -265,43 +265,41 @@ void addCells(std::vector<QString>& row, const DescribedFigures& figures, const 
 std::vector<BookPage> contributionPages(const ComparisonFigures& figures, const BookSettings& settings,
                                         ShownAs show) {
     if (figures.byBuilding.empty()) return {};
-    PageTable table{{QStringLiteral("Building"), QStringLiteral("Threshold")},
-                    {},
-                    {},
-                    {},
-                    tablePt * textScale(settings.setup)};
+    PageTable table{
+        {sheetText("Building"), sheetText("Threshold")}, {}, {}, {}, tablePt * textScale(settings.setup)};
     for (const Figure& figure : changeFigures().rows())
         if (isShownAs(figure, show)) table.titles.push_back(titleOf(figure));
     QString note;
     for (const auto& building : figures.byBuilding) {
         if (!settings.allPages && table.rows.size() == maxRows) {
-            note = QStringLiteral("The first %1 of %2.")
+            note = sheetText("The first %1 of %2.")
                        .arg(describeCount(maxRows), describeCount(figures.byBuilding.size()));
             break;
         }
-        table.rows.push_back({plainText(building.name), describeAmount(building.figures.thresholdMin, 2) +
-                                                            QStringLiteral(" min a day")});
+        table.rows.push_back({plainText(building.name),
+                              describeAmount(building.figures.thresholdMin, 2) + sheetText(" min a day")});
         addCells(table.rows.back(), changeFigures().of(building.figures.gross), settings, show);
     }
-    const QString title = QStringLiteral("Contributions");
+    const QString title = sheetText("Contributions");
     return makeTablePages(
         settings.setup, {title, {}, title, 0, {}},
-        {{QStringLiteral("Sole contribution of each new building: against the scenario without it"), note,
+        {{sheetText("Sole contribution of each new building: against the scenario without it"), note,
           std::move(table)}});
 }
 
 BookPage sunByMonthPage(const Bars& months, const BookSettings& settings) {
-    const QString title = QStringLiteral("Months");
+    const QString title = sheetText("Months");
     BookPage page{title, {}, title, 0, {}};
     QRectF area = contentArea(settings.setup);
     area.setHeight(std::min(area.height(), area.width() / 2));
     BarChart chart = makeBarChart(months, FigureUnit::hours, settings.units, QStringLiteral("h"));
     chart.series.front().colour = shade::sun;
-    page.items.push_back({area, PageChart{std::move(chart), {plainText(months.title), {}}}});
+    page.items.push_back({area, PageChart{std::move(chart), {sheetText(months.title), {}}}});
     return page;
 }
 
 QString monthText(std::chrono::year_month month) {
+    if (!isEnglishInUse()) return QString::fromStdString(wordingInUse().month(month.month(), true));
     return QStringLiteral("%1-%2").arg(int(month.year())).arg(unsigned(month.month()), 2, 10, QChar(u'0'));
 }
 
@@ -312,7 +310,7 @@ PageChart monthChart(const Score& score, std::string_view key, QColor colour, co
         {{titleOf(figure), colour}}, {}, figure.unit == FigureUnit::squareMetreHours, settings.units};
     for (const MonthFigures& month : score.months)
         chart.groups.push_back({monthText(month.month), {figure.get(&month)}});
-    return {std::move(chart), {titleOf(figure) + QStringLiteral(" by month"), plainText(figure.definition)}};
+    return {std::move(chart), {titleOf(figure) + sheetText(" by month"), plainText(figure.definition)}};
 }
 
 // The rest of the receivers' area, in each month.
@@ -321,11 +319,11 @@ PageChart sunChart(const Score& score, const BookSettings& settings) {
     BarChart chart{{{titleOf(figure), shade::sun}}, {}, false, settings.units};
     for (const MonthFigures& month : score.months)
         chart.groups.push_back({monthText(month.month), {score.receiverAreaM2 - month.shadowAreaM2}});
-    return {std::move(chart), {titleOf(figure) + QStringLiteral(" by month"), plainText(figure.definition)}};
+    return {std::move(chart), {titleOf(figure) + sheetText(" by month"), plainText(figure.definition)}};
 }
 
 BookPage monthPage(const Score& score, const BookSettings& settings, ShownAs show) {
-    const QString title = QStringLiteral("Months");
+    const QString title = sheetText("Months");
     BookPage page{title, {}, title, 0, {}};
     const QRectF all = contentArea(settings.setup);
     const PageChart charts[]{show == ShownAs::shadow
@@ -344,7 +342,7 @@ BookPage monthPage(const Score& score, const BookSettings& settings, ShownAs sho
 
 std::vector<BookPage> intervalPages(const Score& score, const std::string& weights,
                                     const BookSettings& settings, ShownAs show) {
-    PageTable table{{QStringLiteral("Interval")}, {}, {}, {}, tablePt * textScale(settings.setup)};
+    PageTable table{{sheetText("Interval")}, {}, {}, {}, tablePt * textScale(settings.setup)};
     for (const Figure& figure : scoreIntervalFigures().rows())
         if (isShownAs(figure, show)) table.titles.push_back(titleOf(figure));
     for (const IntervalFigures& interval : score.intervals) {
@@ -352,7 +350,7 @@ std::vector<BookPage> intervalPages(const Score& score, const std::string& weigh
         addCells(table.rows.back(), scoreIntervalFigures().of(interval), settings, show);
     }
     if (table.rows.empty()) return {};
-    const QString title = QStringLiteral("Weights");
+    const QString title = sheetText("Weights");
     return makeTablePages(settings.setup, {title, {}, title, 0, {}},
                           {{plainText(weights), {}, std::move(table)}});
 }
@@ -360,7 +358,7 @@ std::vector<BookPage> intervalPages(const Score& score, const std::string& weigh
 // Which column a page states, where there are several.
 BookPage nameColumn(BookPage page, const Score& score, const LegendChoice& legend) {
     if (score.withTrees.empty()) return page;
-    page.subtitle = plainText(std::string(describeTrees(columnOf(score, legend.trees)))) + u'.';
+    page.subtitle = sheetText(describeTrees(columnOf(score, legend.trees))) + u'.';
     return page;
 }
 
@@ -379,6 +377,7 @@ void addHeightMap(Book& book, const City& city, const Region& region, const Book
 }  // namespace
 
 Book makeStudyBook(const Study& study, const BookSettings& settings) {
+    const SheetScope words(settings.language);
     const Sheet sheet = makeSheet(study, settings.legend);
     Book book = beginAnswerBook(settings, sheet, study.provenance.attribution);
     if (const Bars months = makeMonthBarsWithTrees(study); !months.groups.empty())
@@ -392,6 +391,7 @@ Book makeStudyBook(const Study& study, const BookSettings& settings) {
 
 Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
                     const BookSettings& settings, const LegendChoice& legend) {
+    const SheetScope words(settings.language);
     const Sheet sheet = makeSheet(answer, source, scale, legend);
     Book book = beginAnswerBook(settings, sheet, answer.provenance.attribution);
     auto contributions = contributionPages(computeFigures(answer), settings, legend.show);
@@ -407,6 +407,7 @@ Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, cons
 
 Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const BookSettings& settings,
                    const LegendChoice& legend) {
+    const SheetScope words(settings.language);
     const Sheet sheet = makeSheet(answer, source, legend);
     Book book = beginAnswerBook(settings, sheet, answer.provenance.attribution);
     const auto shown =
@@ -423,6 +424,7 @@ Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const 
 }
 
 Book makeSavedBook(const SavedMapBook& saved, const BookSettings& settings) {
+    const SheetScope words(settings.language);
     const Sheet& sheet = saved.sheet;
     Book book = beginBook(settings, plainText(sheet.headline.what), saved.attribution);
     book.record = sheet.record;
@@ -448,20 +450,21 @@ Book makeSavedBook(const SavedMapBook& saved, const BookSettings& settings) {
 Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
                    const std::vector<FigureLine>& lines, const BookSettings& settings,
                    std::vector<BookPage> more) {
+    const SheetScope words(settings.language);
     const QString title = plainText(result.name);
     Book book = beginBook(settings, title, attributionOf(result));
     book.record = {QStringLiteral("result.json"), result.settings};
     PageTable table{
-        {QStringLiteral("Figure"), QStringLiteral("Value")}, {}, {}, {}, tablePt * textScale(settings.setup)};
+        {sheetText("Figure"), sheetText("Value")}, {}, {}, {}, tablePt * textScale(settings.setup)};
     for (const FigureLine& line : lines)
         table.rows.push_back({plainText(labelOf(line)), plainText(valueOf(line, settings.units))});
     book.pages = makeTablePages(book.setup, {title, plainText(result.scenario), title, 0, {}},
-                                {{QStringLiteral("Figures"), {}, std::move(table)}});
+                                {{sheetText("Figures"), {}, std::move(table)}});
     appendPages(book, std::move(more));
-    TextBlocks blocks{heading(QStringLiteral("Definitions")), body(defineFigures(lines))};
+    TextBlocks blocks{heading(sheetText("Definitions")), body(defineFigures(lines))};
     for (const TextBlocks& section : makeSavedSections(result, origin, source))
         blocks.insert(blocks.end(), section.begin(), section.end());
-    const QString sources = QStringLiteral("Method and sources");
+    const QString sources = sheetText("Method and sources");
     appendPages(book, makeTextPages(book.setup, {sources, {}, sources, 0, {}}, blocks));
     return book;
 }

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/language/language.h"
 #include "app/report/book/diagram.h"
 #include "app/report/book/elevation.h"
 #include "app/report/book/page_text.h"
@@ -79,6 +80,7 @@ struct BookSettings {
     double minPlaceM2 = 100;  ///< in the book of a review: smaller places without a name are listed together
     bool heightMap = false;   ///< a page with the buildings by source of height
     LegendChoice legend{};    ///< of maps, places, points and windows
+    Language language = Language::system;  ///< of all texts; system: that of the window
     bool operator==(const BookSettings&) const = default;
 };
 
@@ -97,8 +99,13 @@ struct Book {
     QString credit;  ///< credit of the data, at the foot of each page
     UnitSystem units = UnitSystem::metric;  ///< of scale bars and heights on maps
     SheetRecord record{};                   ///< attached to the PDF
+    Language language = Language::system;   ///< of what is painted; that of the texts
     std::vector<BookPage> pages;
 };
+
+/// The language that a command states, so that it prints the same where the window's is another: that of the
+/// window for Language::system; English is the default of commands.
+Language statedLanguage(Language language);
 
 /// A book without pages.
 Book beginBook(const BookSettings& settings, const QString& title, const std::string& attribution);

@@ -5,6 +5,7 @@
 #include "app/report/book/diagram.h"
 #include "app/report/book/paper.h"
 #include "app/report/maps/map_view.h"
+#include "app/report/maps/sheet_text.h"
 
 namespace noonmark {
 
@@ -31,23 +32,22 @@ void paintSwatch(const Canvas& canvas, const QRectF& box, const LegendEntry& ent
 std::vector<LegendEntry> entriesOf(const DiagramFoot& foot) {
     std::vector<LegendEntry> entries;
     if (foot.subject == DiagramFoot::Subject::fan)
-        entries = {{QStringLiteral("shadow of the proposal alone"), shade::incremental.lighter(190),
+        entries = {{sheetText("shadow of the proposal alone"), shade::incremental.lighter(190),
                     shade::incremental, 0.5}};
     else if (foot.subject == DiagramFoot::Subject::valueLines)
-        entries = {{QStringLiteral("hours of shadow"), ink::paper, shade::incremental, 0.9, false, true},
-                   {QStringLiteral("limit of the rule"), ink::paper, shade::incremental, 1.8, false, true},
-                   {QStringLiteral("distance from the parcel"), ink::paper, ink::text, 0.9, true, true}};
+        entries = {{sheetText("hours of shadow"), ink::paper, shade::incremental, 0.9, false, true},
+                   {sheetText("limit of the rule"), ink::paper, shade::incremental, 1.8, false, true},
+                   {sheetText("distance from the parcel"), ink::paper, ink::text, 0.9, true, true}};
     else
-        entries = {{QStringLiteral("existing shadow"), shade::baseline, shade::baseline, 0.2},
-                   {QStringLiteral("incremental shadow"), shade::incremental, shade::incremental, 0.2},
-                   {QStringLiteral("sun gained"), shade::gained, ink::quiet, 0.3}};
-    entries.push_back({QStringLiteral("proposal"), shade::proposal, ink::text, 0.9});
-    if (foot.hasRemoved) entries.push_back({QStringLiteral("removed"), ink::paper, ink::text, 0.6, true});
-    entries.push_back({QStringLiteral("building"), shade::building, shade::buildingLine, 0.4});
+        entries = {{sheetText("existing shadow"), shade::baseline, shade::baseline, 0.2},
+                   {sheetText("incremental shadow"), shade::incremental, shade::incremental, 0.2},
+                   {sheetText("sun gained"), shade::gained, ink::quiet, 0.3}};
+    entries.push_back({sheetText("proposal"), shade::proposal, ink::text, 0.9});
+    if (foot.hasRemoved) entries.push_back({sheetText("removed"), ink::paper, ink::text, 0.6, true});
+    entries.push_back({sheetText("building"), shade::building, shade::buildingLine, 0.4});
     if (foot.hasOverhangs)
-        entries.push_back({QStringLiteral("open below"), ink::paper, shade::buildingLine, 0.5, true});
-    if (foot.places.empty())
-        entries.push_back({QStringLiteral("place"), shade::place, shade::placeLine, 1.1});
+        entries.push_back({sheetText("open below"), ink::paper, shade::buildingLine, 0.5, true});
+    if (foot.places.empty()) entries.push_back({sheetText("place"), shade::place, shade::placeLine, 1.1});
     for (const LegendPatch& patch : foot.places)
         entries.push_back({patch.label, shade::place, patch.colour, 1.6});
     return entries;
@@ -69,12 +69,12 @@ void paintEntries(const Canvas& canvas, const QRectF& area, const DiagramFoot& f
         x += width + 8 * unit;
     }
     const bool isImperial = foot.units == UnitSystem::imperial;
-    QString words = QStringLiteral("Heights in %1 above the ground.")
-                        .arg(isImperial ? QStringLiteral("ft") : QStringLiteral("m"));
+    QString words =
+        sheetText("Heights in %1 above the ground.").arg(isImperial ? sheetText("ft") : QStringLiteral("m"));
     if (!foot.note.isEmpty()) words = foot.note + QStringLiteral(" ") + words;
-    if (foot.hasNumbers) words += QStringLiteral(" Numbers in a white field name the places above.");
-    if (foot.hasStreets) words += QStringLiteral(" White lines: streets of the project.");
-    if (foot.hasContext) words += QStringLiteral(" Pale colours: streets, water and parks of the map.");
+    if (foot.hasNumbers) words += sheetText(" Numbers in a white field name the places above.");
+    if (foot.hasStreets) words += sheetText(" White lines: streets of the project.");
+    if (foot.hasContext) words += sheetText(" Pale colours: streets, water and parks of the map.");
     paintFitted(canvas, {area.left(), y + 10 * unit, area.width(), area.bottom() - y - 10 * unit}, words,
                 6.6 * foot.textScale, 4.5, QFont::Normal, ink::quiet);
 }
@@ -95,7 +95,7 @@ void paintDiagramFoot(const Canvas& canvas, const QRectF& area, const DiagramFoo
         return paintEntries(canvas, {area.left(), area.top(), bar.left() - area.left(), area.height()}, foot);
     paintFitted(canvas, scale, QStringLiteral("1:%1").arg(std::llround(foot.scale)), 11 * foot.textScale, 6,
                 QFont::Bold);
-    paintFitted(canvas, scale.translated(0, 14 * unit), QStringLiteral("on %1").arg(foot.paper),
+    paintFitted(canvas, scale.translated(0, 14 * unit), sheetText("on %1").arg(foot.paper),
                 7 * foot.textScale, 5, QFont::Normal, ink::quiet);
     paintEntries(canvas, {area.left(), area.top(), scale.left() - area.left() - 6 * unit, area.height()},
                  foot);

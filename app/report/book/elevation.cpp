@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/report/book/paper.h"
+#include "app/report/maps/sheet_text.h"
 
 namespace noonmark {
 
@@ -198,17 +199,17 @@ void paintMarkLegend(const Canvas& canvas, const QRectF& area, const ElevationFo
         x += metrics.horizontalAdvance(text) + 10 * unit;
     };
     if (foot.hasMarks)
-        for (const auto& [mark, text] :
-             {std::pair{ElevationMark::fail, "fails"}, std::pair{ElevationMark::borderline, "borderline"},
-              std::pair{ElevationMark::worse, "verdict gets worse"},
-              std::pair{ElevationMark::better, "verdict gets better"}}) {
+        for (const auto& [mark, text] : {std::pair{ElevationMark::fail, NM_TEXT("fails")},
+                                         std::pair{ElevationMark::borderline, NM_TEXT("borderline")},
+                                         std::pair{ElevationMark::worse, NM_TEXT("verdict gets worse")},
+                                         std::pair{ElevationMark::better, NM_TEXT("verdict gets better")}}) {
             const QRectF box(x, area.top(), 9 * unit, 9 * unit);
             canvas.painter.setBrush(QColor(0xd8, 0xd9, 0xdc));
             canvas.painter.setPen(linePen(canvas, ink::quiet, 0.35));
             canvas.painter.drawRect(box);
             paintMarkIn(canvas, box, mark);
             x += 12 * unit;
-            word(QString::fromLatin1(text));
+            word(sheetText(text));
         }
     paintFitted(canvas, {x, area.top() - unit, std::max(1.0, area.right() - x), 11 * unit}, foot.note,
                 6.6 * foot.textScale, 3.5, QFont::Normal, ink::quiet);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/report/book/elevation.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/study_text.h"
 #include "core/study/elements/element_map.h"
 
@@ -17,9 +18,10 @@ constexpr std::array stripParts{3, 2, 1};
 
 /// "south-east"
 QString windName(double azimuthDeg) {
-    static constexpr std::array names{"north", "north-east", "east", "south-east",
-                                      "south", "south-west", "west", "north-west"};
-    return QString::fromLatin1(names[std::size_t(std::lround(azimuthDeg / 45)) % names.size()]);
+    static constexpr std::array<std::string_view, 8> names{
+        NM_TEXT("north"), NM_TEXT("north-east"), NM_TEXT("east"), NM_TEXT("south-east"),
+        NM_TEXT("south"), NM_TEXT("south-west"), NM_TEXT("west"), NM_TEXT("north-west")};
+    return sheetText(names[std::size_t(std::lround(azimuthDeg / 45)) % names.size()]);
 }
 
 /// The layout of the smallest strip with a comfortable scale, else of the whole page.
@@ -90,9 +92,9 @@ public:
         first.level = 0;
         first.bookmark = sheets_.bookmark + QStringLiteral(": ") + first.bookmark;
         if (leftOut > 0)
-            first.subtitle += QStringLiteral(" %1 more buildings are not drawn.").arg(describeCount(leftOut));
+            first.subtitle += sheetText(" %1 more buildings are not drawn.").arg(describeCount(leftOut));
         if (smaller_ > 0)
-            first.subtitle += QStringLiteral(" %1 sides do not fit on %2 at 1:%3 and are smaller.")
+            first.subtitle += sheetText(" %1 sides do not fit on %2 at 1:%3 and are smaller.")
                                   .arg(describeCount(smaller_), plainText(nameOf(setup_.paper)),
                                        describeAmount(*sheets_.scale));
         return std::move(pages_);
@@ -121,11 +123,11 @@ private:
         const LonLat place = sheets_.frame.lonLatFromLocal(glm::dvec2(building.panes[any].middle));
         const double azimuth =
             facingAzimuthDeg(sheets_.frame, place, glm::vec3(glm::vec2(elevation.normal), 0));
-        QString first = QStringLiteral("%1, facing %2 (%3°)")
+        QString first = sheetText("%1, facing %2 (%3°)")
                             .arg(building.name, windName(azimuth), describeAmount(azimuth, 0));
         if (elevation.layers > 1)
-            first += QStringLiteral(", layer %1 of %2").arg(elevation.layer).arg(elevation.layers);
-        return {first, QStringLiteral("1:%1 on %2. %3 windows")
+            first += sheetText(", layer %1 of %2").arg(elevation.layer).arg(elevation.layers);
+        return {first, sheetText("1:%1 on %2. %3 windows")
                            .arg(describeCount(std::size_t(std::llround(layout.scale))),
                                 plainText(nameOf(setup_.paper)), describeCount(elevation.windows.size()))};
     }
@@ -158,9 +160,8 @@ private:
 }  // namespace
 
 QString describeFloors(const ElementSettings& elements) {
-    const QString floors = QStringLiteral("Floors of %1 m").arg(elements.facades.storeyM);
-    return elements.parts.storeys.empty() ? floors
-                                          : floors + QStringLiteral(", of designed towers as designed");
+    const QString floors = sheetText("Floors of %1 m").arg(elements.facades.storeyM);
+    return elements.parts.storeys.empty() ? floors : floors + sheetText(", of designed towers as designed");
 }
 
 std::vector<BookPage> makeElevationPages(const PageSetup& setup, ElevationSheets sheets,

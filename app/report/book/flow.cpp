@@ -4,9 +4,11 @@
 #include <QFontMetricsF>
 #include <QStringList>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/study_text.h"
 #include "core/describe/text.h"
 
@@ -114,7 +116,7 @@ ColumnNeed measureColumn(const Canvas& canvas, const PageTable& table, std::size
 }
 
 BookPage pageAfter(const BookPage& first) {
-    return {first.title, first.subtitle.isEmpty() ? QStringLiteral("continued") : first.subtitle, {}, 0};
+    return {first.title, first.subtitle.isEmpty() ? sheetText("continued") : first.subtitle, {}, 0};
 }
 
 /// Puts tables below each other.
@@ -181,6 +183,16 @@ QString describeToday() {
                           std::chrono::day{unsigned(day.day())}});
 }
 
+namespace {
+
+constexpr std::array languageChoices{
+    Choice<Language>{Language::system, "window", NM_TEXT("That of the window")},
+    Choice<Language>{Language::english, "en", "English"}, Choice<Language>{Language::german, "de", "Deutsch"},
+    Choice<Language>{Language::spanish, "es", "Español"},
+    Choice<Language>{Language::japanese, "ja", "日本語"}};
+
+}  // namespace
+
 const Fields<BookSettings>& scaleFields() {
     static const Fields<BookSettings> fields{
         field(&BookSettings::scale,
@@ -211,7 +223,16 @@ const Fields<BookSettings>& bookFields() {
                .label = NM_TEXT("Map of sources of heights"),
                .help = NM_TEXT("Sheets: a page with the buildings coloured by where their heights come from: "
                                "measured, from storeys, assumed, of a 3D model, designed"),
-               .role = SettingRole::none})};
+               .role = SettingRole::none}),
+        choiceField(&BookSettings::language, languageChoices,
+                    {.key = "language",
+                     .flag = "--language",
+                     .label = NM_TEXT("Language of sheets"),
+                     .help = NM_TEXT("Language of the texts, numbers and dates of sheets: en, de, es or ja "
+                                     "(default: that of the window, English on the command line). Files for "
+                                     "programs are the same in every language"),
+                     .hint = "LANGUAGE",
+                     .role = SettingRole::none})};
     return fields;
 }
 
@@ -230,6 +251,11 @@ const Fields<BookSettings>& extentFields() {
     return fields;
 }
 
+Language statedLanguage(Language language) {
+    const Language stated = language == Language::system ? languageInUse() : language;
+    return stated == Language::english ? Language::system : stated;
+}
+
 Book beginBook(const BookSettings& settings, const QString& title, const std::string& attribution) {
     const std::string& date = settings.titleBlock.date;
     return {settings.setup,
@@ -239,6 +265,7 @@ Book beginBook(const BookSettings& settings, const QString& title, const std::st
             describeData(attribution),
             settings.units,
             {},
+            settings.language,
             {}};
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/report/book/flow.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/pdf_page.h"
 #include "app/report/sheets/study_text.h"
 
@@ -114,7 +115,7 @@ private:
         const double unit = scale_ * canvas_.point;
         const QRectF inside = cell.adjusted(4 * unit, 1.5 * unit, -4 * unit, -1.5 * unit);
         const QRectF label(inside.left(), inside.top(), inside.width(), 6.4 * unit);
-        paintFitted(canvas_, label, QString::fromUtf8(name), 5 * scale_, 4, QFont::Normal, ink::quiet);
+        paintFitted(canvas_, label, sheetText(name), 5 * scale_, 4, QFont::Normal, ink::quiet);
         paintFitted(canvas_, inside.adjusted(0, 6.4 * unit, 0, 0), text, maximum * scale_, 3.4,
                     QFont::Medium);
     }
@@ -135,12 +136,12 @@ private:
         const auto cell = [&](double from, double to, int line) {
             return QRectF(left + from * width, strip.top() + line * row, (to - from) * width, row);
         };
-        paintCell(cell(0, 0.46, 0), "Project", plainText(block.project), 10);
-        paintCell(cell(0.46, 1, 0), "Title", book_.title, 9);
-        paintCell(cell(0, 0.3, 1), "Client", plainText(block.client), 8);
-        paintCell(cell(0.3, 0.6, 1), "Author", plainText(block.author), 8);
-        paintCell(cell(0.6, 0.8, 1), "Date", book_.date, 8);
-        paintCell(cell(0.8, 1, 1), "Program", describeProgram(), 8);
+        paintCell(cell(0, 0.46, 0), NM_TEXT("Project"), plainText(block.project), 10);
+        paintCell(cell(0.46, 1, 0), NM_TEXT("Title"), book_.title, 9);
+        paintCell(cell(0, 0.3, 1), NM_TEXT("Client"), plainText(block.client), 8);
+        paintCell(cell(0.3, 0.6, 1), NM_TEXT("Author"), plainText(block.author), 8);
+        paintCell(cell(0.6, 0.8, 1), NM_TEXT("Date"), book_.date, 8);
+        paintCell(cell(0.8, 1, 1), NM_TEXT("Program"), describeProgram(), 8);
         const QRectF credit(strip.left() + 4 * unit, strip.top() - 11 * unit, strip.width() - 8 * unit,
                             10 * unit);
         paintFitted(canvas_, credit, book_.credit, 6 * scale_, 3.6, QFont::Normal, ink::quiet);
@@ -150,12 +151,12 @@ private:
         outline(cell);
         const double unit = scale_ * canvas_.point;
         const QRectF inside = cell.adjusted(4 * unit, 1.5 * unit, -4 * unit, -1.5 * unit);
-        paintFitted(canvas_, {inside.left(), inside.top(), inside.width(), 6.4 * unit},
-                    QStringLiteral("Sheet"), 5 * scale_, 4, QFont::Normal, ink::quiet);
+        paintFitted(canvas_, {inside.left(), inside.top(), inside.width(), 6.4 * unit}, sheetText("Sheet"),
+                    5 * scale_, 4, QFont::Normal, ink::quiet);
         paintFitted(canvas_, inside.adjusted(0, 7 * unit, 0, -13 * unit), sheetNumber(book_, index_),
                     20 * scale_, 4, QFont::Bold, ink::heading, Qt::AlignHCenter);
         paintFitted(canvas_, {inside.left(), inside.bottom() - 11 * unit, inside.width(), 10 * unit},
-                    QStringLiteral("sheet %1 of %2").arg(index_ + 1).arg(book_.pages.size()), 7 * scale_, 4,
+                    sheetText("sheet %1 of %2").arg(index_ + 1).arg(book_.pages.size()), 7 * scale_, 4,
                     QFont::Normal, ink::quiet, Qt::AlignHCenter);
     }
 
@@ -190,6 +191,7 @@ private:
 }  // namespace
 
 void paintPage(const Book& book, std::size_t index, const Canvas& canvas) {
+    const SheetScope words(book.language);
     QPainter& painter = canvas.painter;
     constexpr double unit = MeasuringCanvas::unitsPerPoint;
     painter.save();
@@ -233,7 +235,8 @@ bool paintPages(const Book& book, QIODevice& device) {
 }
 
 PdfStructure structureOf(const Book& book) {
-    PdfStructure structure{{}, QStringLiteral("en"), {}};
+    const SheetScope words(book.language);
+    PdfStructure structure{{}, QString::fromStdString(wordingInUse().code()), {}};
     for (std::size_t i = 0; i < book.pages.size(); ++i) {
         const BookPage& page = book.pages[i];
         structure.labels.push_back(sheetNumber(book, i));

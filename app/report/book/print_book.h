@@ -27,7 +27,7 @@ struct PdfBookmark {
 /// What a PDF by Qt lacks for navigation and accessibility.
 struct PdfStructure {
     std::vector<PdfBookmark> bookmarks;
-    QString language;             ///< BCP 47: "en"
+    QString language;             ///< BCP 47: "en", "de"
     std::vector<QString> labels;  ///< of the pages, as viewers show them: "A-1"
 };
 

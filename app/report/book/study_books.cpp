@@ -7,6 +7,7 @@
 #include "app/report/book/elevation_pages.h"
 #include "app/report/book/flow.h"
 #include "app/report/maps/answer_legends.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_text.h"
 #include "core/city/footprints/plan_overlay.h"
@@ -67,7 +68,7 @@ ElevationBuilding drawBuilding(const PointsOnBuildings& from, const PointsOfBuil
     const MeasuredElement& first = from.map.elements[group.points.front()];
     const std::string& name = first.buildingName.empty() ? first.building : first.buildingName;
     ElevationBuilding drawn{
-        name.empty() ? QStringLiteral("Points at no building") : plainText(name), nullptr, {}, {{}}, {}};
+        name.empty() ? sheetText("Points at no building") : plainText(name), nullptr, {}, {{}}, {}};
     if (group.building < from.city.buildings.size()) {
         drawn.building = from.city.buildings[group.building].get();
         drawn.storeyM = from.storeyOf(*drawn.building);
@@ -84,10 +85,14 @@ std::vector<BookPage> makeElevations(const PointsOnBuildings& from, const BookSe
     const Legend legend = makeSunLegend(from.map, settings.legend);
     const ColourScale scale = coloursOf(legend);
     ElevationSheets sheets{
-        QStringLiteral("Elevations: ") + legend.title.toLower(), from.subtitle, QStringLiteral("Elevations"),
-        {legend.title + QStringLiteral(", mean over the days")}, {{legend}},    from.city.frame};
+        sheetText("Elevations: ") + (isEnglishInUse() ? legend.title.toLower() : sheetWord(legend.title)),
+        from.subtitle,
+        sheetText("Elevations"),
+        {sheetWord(legend.title) + sheetText(", mean over the days")},
+        {{legend}},
+        from.city.frame};
     sheets.foot.hasMarks = false;
-    sheets.foot.note = QStringLiteral("Seen square to the wall, from outside.");
+    sheets.foot.note = sheetText("Seen square to the wall, from outside.");
     sheets.scale = settings.scale;
     sheets.maxPages = maxSidePages(settings);
     // Each side takes a third of a page at least: more buildings cannot be drawn.
@@ -125,20 +130,20 @@ PointsOnBuildings pointsOf(const ElementMap& map, const City& city, QString subt
 
 TextBlocks summariseElements(const ElementStudy& study) {
     const ElementFigures figures = computeFigures(study);
-    TextBlocks blocks{heading(QStringLiteral("Summary"))};
+    TextBlocks blocks{heading(sheetText("Summary"))};
     const auto add = [&](const QString& text) { blocks.push_back(body(text)); };
-    add(QStringLiteral("Points on %1. %2.")
-            .arg(plainText(nameOf(study.elements.places)), describePeriod(study.settings.period)));
+    add(sheetText("Points on %1. %2.")
+            .arg(sheetText(nameOf(study.elements.places)), describePeriod(study.settings.period)));
     const auto withTrees = listFiguresWithTrees(study);
     const auto lines = listElementLines(figures, withTrees);
     for (const FigureText& figure : figureTexts(lines))
         add(QStringLiteral("%1: %2.").arg(figure.name, figure.value));
-    blocks.push_back(heading(QStringLiteral("Method")));
+    blocks.push_back(heading(sheetText("Method")));
     add(study.engineKey == referenceEngine
-            ? QStringLiteral("Rays at every step of the sun.")
-            : QStringLiteral("Horizons of the points, in bins of a quarter of a degree."));
-    if (!study.whyRays.empty()) add(QStringLiteral("Chosen since %1.").arg(plainText(study.whyRays)));
-    if (study.error) add(QStringLiteral("Error against rays: %1.").arg(plainText(describe(*study.error))));
+            ? sheetText("Rays at every step of the sun.")
+            : sheetText("Horizons of the points, in bins of a quarter of a degree."));
+    if (!study.whyRays.empty()) add(sheetText("Chosen since %1.").arg(plainText(study.whyRays)));
+    if (study.error) add(sheetText("Error against rays: %1.").arg(plainText(describe(*study.error))));
     add(defineFigures(lines));
     return blocks;
 }
@@ -156,17 +161,18 @@ TextBlocks describeSources(const ElementStudy& study, const LegendChoice& legend
 }  // namespace
 
 Book makeElementBook(const ElementStudy& study, const ElementMap& map, const BookSettings& settings) {
-    const QString title = QStringLiteral("Hours of sun on %1").arg(plainText(nameOf(study.elements.places)));
+    const SheetScope words(settings.language);
+    const QString title = sheetText("Hours of sun on %1").arg(sheetText(nameOf(study.elements.places)));
     Book book = beginBook(settings, title, study.provenance.attribution);
-    book.record = {QStringLiteral("study.json"), elementStudyJson(study, {})};
+    book.record = {QStringLiteral("study.json"), inEnglish([&] { return elementStudyJson(study, {}); })};
     const auto append = [&](std::vector<BookPage> pages) {
         std::ranges::move(pages, std::back_inserter(book.pages));
     };
-    append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, summariseElements(study)));
+    append(makeTextPages(settings.setup, {title, {}, sheetText("Summary")}, summariseElements(study)));
     append(makeElevations(pointsOf(study, map), settings));
     if (settings.heightMap)
         book.pages.push_back(makeHeightMapPage(study.city, bounds(study.settings.region), settings.setup));
-    append(makeTextPages(settings.setup, {QStringLiteral("Sources"), {}, QStringLiteral("Sources")},
+    append(makeTextPages(settings.setup, {sheetText("Sources"), {}, sheetText("Sources")},
                          describeSources(study, settings.legend)));
     return book;
 }
@@ -174,6 +180,7 @@ Book makeElementBook(const ElementStudy& study, const ElementMap& map, const Boo
 Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
                    const SavedElements& points, const std::vector<FigureLine>& lines,
                    const BookSettings& settings) {
+    const SheetScope words(settings.language);
     return makeSavedBook(result, origin, source, lines, settings,
                          makeElevations(pointsOf(points.map, source.city,
                                                  plainText(origin.period.words) + QStringLiteral(".")),
@@ -209,7 +216,7 @@ Contribution makeContribution(QString name, const BuildingShadow& shadow) {
 QString nameBuilding(const Building& building, std::uint32_t index) {
     if (!building.name.empty()) return plainText(building.name);
     if (!building.sourceId.empty()) return plainText(building.sourceId);
-    return QStringLiteral("building %1").arg(index);
+    return sheetText("building %1").arg(index);
 }
 
 /// On the building's largest part.
@@ -240,7 +247,7 @@ Contributions collectContributions(const Study& study) {
         all.buildings.push_back(std::move(one));
         if (all.marks.size() < maxMarks) all.marks.push_back(makeMark(building, all.buildings.size()));
     }
-    if (breakdown.terrain) all.terrain = makeContribution(QStringLiteral("Terrain"), *breakdown.terrain);
+    if (breakdown.terrain) all.terrain = makeContribution(sheetText("Terrain"), *breakdown.terrain);
     return all;
 }
 
@@ -251,27 +258,26 @@ QString describeWhenAndWhere(const Study& study) {
 }
 
 BookPage makeNumberedMapPage(const Study& study, const Contributions& all, const BookSettings& settings) {
-    const QString title = QStringLiteral("Contributions of buildings");
+    const QString title = sheetText("Contributions of buildings");
     const Legend legend = makeLegend(study.field, ShadowMeasure::gross, settings.legend);
     SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, coloursOf(legend)), legend};
-    const QString name = legend.title;
+    const QString name = sheetWord(legend.title);
     map.scene.marks = all.marks;
-    BookPage page{title, describeWhenAndWhere(study), QStringLiteral("Map"), 0, {}};
+    BookPage page{title, describeWhenAndWhere(study), sheetText("Map"), 0, {}};
     page.items.push_back(
         {contentArea(settings.setup),
          PageMap{std::make_shared<const SheetMap>(std::move(map)),
-                 {QStringLiteral("%1 and the buildings that make most of the shadow").arg(name),
-                  QStringLiteral("Numbers as in the table; buildings outside of the map are not shown")}}});
+                 {sheetText("%1 and the buildings that make most of the shadow").arg(name),
+                  sheetText("Numbers as in the table; buildings outside of the map are not shown")}}});
     return page;
 }
 
 BookPage makeBarPage(const Contributions& all, const BookSettings& settings) {
-    const QString title = QStringLiteral("Largest contributions");
-    BarChart chart{
-        {{QStringLiteral("Attributed"), shade::proposal}, {QStringLiteral("Sole"), shade::incremental}},
-        {},
-        true,
-        settings.units};
+    const QString title = sheetText("Largest contributions");
+    BarChart chart{{{sheetText("Attributed"), shade::proposal}, {sheetText("Sole"), shade::incremental}},
+                   {},
+                   true,
+                   settings.units};
     for (std::size_t i = 0; i < std::min(maxBars, all.buildings.size()); ++i)
         chart.groups.push_back(
             {QString::number(i + 1), {all.buildings[i].attributedM2h, all.buildings[i].soleM2h}});
@@ -279,8 +285,8 @@ BookPage makeBarPage(const Contributions& all, const BookSettings& settings) {
     area.setHeight(area.height() / 2);
     BookPage page{title, {}, title, 0, {}};
     page.items.push_back({area, PageChart{std::move(chart),
-                                          {QStringLiteral("Area x hours in shadow, by building"),
-                                           QStringLiteral("Numbers as in the table")}}});
+                                          {sheetText("Area x hours in shadow, by building"),
+                                           sheetText("Numbers as in the table")}}});
     return page;
 }
 
@@ -293,8 +299,8 @@ std::vector<QString> makeShareRow(const QString& number, const Contribution& one
 }
 
 PageTable makeTable(const Contributions& all, const BookSettings& settings) {
-    PageTable table{{QStringLiteral("No."), QStringLiteral("Building"), QStringLiteral("Share of all shadow"),
-                     QStringLiteral("Attributed"), QStringLiteral("Sole")},
+    PageTable table{{sheetText("No."), sheetText("Building"), sheetText("Share of all shadow"),
+                     sheetText("Attributed"), sheetText("Sole")},
                     {},
                     {},
                     {},
@@ -306,25 +312,25 @@ PageTable makeTable(const Contributions& all, const BookSettings& settings) {
         add(QString::number(i + 1), all.buildings[i], true);
     if (all.otherCount > 0) {
         Contribution others = all.others;
-        others.name = QStringLiteral("Other buildings: %1").arg(describeCount(all.otherCount));
+        others.name = sheetText("Other buildings: %1").arg(describeCount(all.otherCount));
         add({}, others, false);
     }
     if (all.terrain) add({}, *all.terrain, true);
-    add({}, {QStringLiteral("All shadow"), all.allM2h}, false);
+    add({}, {sheetText("All shadow"), all.allM2h}, false);
     return table;
 }
 
 std::vector<BookPage> makeShareTablePages(const Study& study, const Contributions& all,
                                           const BookSettings& settings) {
-    const QString title = QStringLiteral("Contributions"),
-                  note = QStringLiteral(
+    const QString title = sheetText("Contributions"),
+                  note = sheetText(
                              "Attributed: %1. Sole: %2. Area x hours over the whole period. Engine: %3. "
                              "Rows below 0.1 % are added up; contributions.csv lists each.")
                              .arg(plainText(std::string(attributedDefinition())),
                                   plainText(std::string(soleDefinition())),
                                   describeEngineUsed(study.breakdown->engine));
     return makeTablePages(settings.setup, {title, {}, title, 0, {}},
-                          {{QStringLiteral("By building"), note, makeTable(all, settings)}});
+                          {{sheetText("By building"), note, makeTable(all, settings)}});
 }
 
 // Those that take most, with their seasons unless the legend shows trees as evergreens.
@@ -335,12 +341,12 @@ std::vector<BookPage> makeTreePages(const Study& study, const BookSettings& sett
     const bool asEvergreens = settings.legend.trees == TreeColumns::evergreen;
     const TreeColumns column =
         chooseRankedColumn(trees, asEvergreens ? TreeColumns::evergreen : TreeColumns::seasonal);
-    PageTable table{{QStringLiteral("Tree"), QStringLiteral("Share of all shadow"),
-                     QStringLiteral("Attributed"), QStringLiteral("Sole")},
-                    {},
-                    {},
-                    {},
-                    rowPt * textScale(settings.setup)};
+    PageTable table{
+        {sheetText("Tree"), sheetText("Share of all shadow"), sheetText("Attributed"), sheetText("Sole")},
+        {},
+        {},
+        {},
+        rowPt * textScale(settings.setup)};
     const auto hours = [&](double minM2) {
         return QString::fromStdString(formatAreaHours(minM2 / minutesPerHour, settings.units));
     };
@@ -350,21 +356,21 @@ std::vector<BookPage> makeTreePages(const Study& study, const BookSettings& sett
                 table.rows.push_back({plainText(noonmark::nameOf(one)),
                                       describeAmount(100 * one.share, 2) + QStringLiteral(" %"),
                                       hours(one.attributedMinM2), hours(one.soleMinM2)});
-    const QString title = QStringLiteral("Contributions of trees"),
-                  note = QStringLiteral(
+    const QString title = sheetText("Contributions of trees"),
+                  note = sheetText(
                              "What trees take of the sun that buildings leave, %1. The first %2 of "
                              "%3; tree_contributions.csv lists each.")
-                             .arg(plainText(std::string(describeTrees(column))),
-                                  describeCount(table.rows.size()), describeCount(trees.size()));
+                             .arg(sheetText(describeTrees(column)), describeCount(table.rows.size()),
+                                  describeCount(trees.size()));
     return makeTablePages(settings.setup, {title, {}, title, 0, {}},
-                          {{QStringLiteral("By tree"), note, std::move(table)}});
+                          {{sheetText("By tree"), note, std::move(table)}});
 }
 
 }  // namespace
 
 Book makeContributionBook(const Study& study, const BookSettings& settings) {
-    Book book =
-        beginBook(settings, QStringLiteral("Contributions of buildings"), study.provenance.attribution);
+    const SheetScope words(settings.language);
+    Book book = beginBook(settings, sheetText("Contributions of buildings"), study.provenance.attribution);
     const Contributions all = collectContributions(study);
     book.pages.push_back(makeNumberedMapPage(study, all, settings));
     book.pages.push_back(makeBarPage(all, settings));

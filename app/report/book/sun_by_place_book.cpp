@@ -11,6 +11,7 @@
 #include "app/report/maps/city_painter.h"
 #include "app/report/maps/legend_painter.h"
 #include "app/report/maps/map_view.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_text.h"
 #include "core/base/units.h"
@@ -28,9 +29,11 @@ namespace {
 
 const SunByPlace& sunOf(const SunOfCities& all) { return all.baseline; }
 
-QString hoursText(double hours) { return std::isnan(hours) ? QString() : plainText(formatNumber(hours, 2)); }
+QString hoursText(double hours) {
+    return std::isnan(hours) ? QString() : sheetNumbers(formatNumber(hours, 2));
+}
 QString percentText(double share) {
-    return std::isnan(share) ? QString() : QStringLiteral("%1 %").arg(100 * share, 0, 'f', 0);
+    return std::isnan(share) ? QString() : QStringLiteral("%1 %").arg(fixedNumber(100 * share, 0));
 }
 
 /// The places by what they lose to the first scenario or, without one, by their sun; least first. Places
@@ -50,7 +53,7 @@ std::vector<std::size_t> sortByInterest(const SunOfCities& all) {
 // The sentences of the answer, as the window and the command line state them.
 TextBlocks describeFinding(const SunOfCities& all, UnitSystem units, ShownAs show) {
     const AnswerPage page = makePage(all, show);
-    TextBlocks blocks{heading(QStringLiteral("Finding")),
+    TextBlocks blocks{heading(sheetText("Finding")),
                       body(plainText(formatText(asOnSheets(page.headline), units)) + QStringLiteral("."))};
     for (const Sentence& finding : page.findings)
         blocks.push_back(body(plainText(formatText(asOnSheets(finding), units))));
@@ -59,26 +62,24 @@ TextBlocks describeFinding(const SunOfCities& all, UnitSystem units, ShownAs sho
 
 TextBlocks describeMethod(const SunOfCities& all) {
     const SunByPlace& sun = sunOf(all);
-    TextBlocks blocks{heading(QStringLiteral("How this was made"))};
+    TextBlocks blocks{heading(sheetText("How this was made"))};
     const auto add = [&](const QString& text) { blocks.push_back(body(text)); };
     add(QStringLiteral("%1. %2.").arg(describePeriod(sun.settings.study.period),
                                       plainText(sun.field.engine)));
-    add(QStringLiteral(
-            "Cells of %1 m; places with fewer than %2 of them have cells of %3 m. Cells on the edge "
-            "of a place count with the share of them that lies in it.")
-            .arg(sun.settings.study.receivers.cellM)
+    add(sheetText("Cells of %1 m; places with fewer than %2 of them have cells of %3 m. Cells on the edge "
+                  "of a place count with the share of them that lies in it.")
+            .arg(shortNumber(sun.settings.study.receivers.cellM, 6))
             .arg(SunByPlaceSettings::smallPlaceCells)
-            .arg(std::min(sun.settings.smallCellM, sun.settings.study.receivers.cellM)));
-    add(QStringLiteral("Without any shadow there would be %1 h of sun a day.")
-            .arg(hoursText(sun.possibleHours)));
+            .arg(shortNumber(std::min(sun.settings.smallCellM, sun.settings.study.receivers.cellM), 6)));
+    add(sheetText("Without any shadow there would be %1 h of sun a day.").arg(hoursText(sun.possibleHours)));
     for (const SunWithTrees& with : sun.withTrees)
-        add(QStringLiteral("Also measured with %1.").arg(plainText(std::string(describeTrees(with.column)))));
+        add(sheetText("Also measured with %1.").arg(sheetText(describeTrees(with.column))));
     const std::string& how = shownCity(all).treesHow;  // a baseline may have none
-    if (!how.empty()) add(QStringLiteral("Trees: %1.").arg(plainText(how)));
-    add(QStringLiteral("Error of cells: %1. The error of each figure is in the table at the end.")
+    if (!how.empty()) add(sheetText("Trees: %1.").arg(plainText(how)));
+    add(sheetText("Error of cells: %1. The error of each figure is in the table at the end.")
             .arg(plainText(describeCellError(sun.error))));
     if (!all.compared.empty())
-        add(QStringLiteral("The baseline is %1. Ground that is built on in any scenario counts in none.")
+        add(sheetText("The baseline is %1. Ground that is built on in any scenario counts in none.")
                 .arg(plainText(sun.name)));
     return blocks;
 }
@@ -97,11 +98,12 @@ QString nameOfDate(const SunByPlace& sun, std::size_t date) {
 
 Legend legendOf(const SunByPlace& sun, const PlaceColours& colours) {
     const bool isShadow = chooseShown(sun, colours).isShadow;
-    const QString unit = isShadow ? QStringLiteral("minutes of shadow") : QStringLiteral("hours of sun");
-    Legend legend{isShadow ? QStringLiteral("Shadow by place") : QStringLiteral("Sun by place"),
-                  unit + QStringLiteral(" a day")};
-    if (!sun.name.empty()) legend.title += QStringLiteral(": ") + plainText(sun.name);
-    if (colours.date) legend.unit = QStringLiteral("%1 on %2").arg(unit, nameOfDate(sun, *colours.date));
+    const QString unit = isShadow ? sheetText("minutes of shadow") : sheetText("hours of sun");
+    Legend legend{isShadow ? sheetText("Shadow by place") : sheetText("Sun by place"),
+                  unit + sheetText(" a day")};
+    if (!sun.name.empty())
+        legend.title = sheetWord(legend.title) + QStringLiteral(": ") + plainText(sun.name);
+    if (colours.date) legend.unit = sheetText("%1 on %2").arg(unit, nameOfDate(sun, *colours.date));
     if (colours.column) nameTrees(legend, *colours.column);
     legend.colours = makeScale(sun, colours);
     legend.scale = {legend.colours->high, legend.colours->tick};
@@ -122,8 +124,8 @@ PlaceMap makeMap(const SunByPlace& sun, const PlaceColours& colours) {
 }
 
 PlaceMap makeChangeMap(const ComparedSun& compared, const PlaceColours& colours) {
-    PlaceMap map{{QStringLiteral("Change of sun by place: ") + plainText(compared.sun.name),
-                  QStringLiteral("minutes of sun a day")},
+    PlaceMap map{{sheetText("Change of sun by place: ") + plainText(compared.sun.name),
+                  sheetText("minutes of sun a day")},
                  {}};
     if (colours.column) nameTrees(map.legend, *colours.column);
     map.legend.colours = makePlaceChangeScale(colours.legend);
@@ -206,8 +208,8 @@ QImage paintMap(const SunByPlace& sun, const City& city, const Box2& shown, cons
 }
 
 QString describeShown(bool isShadow, bool onDate) {
-    const QString unit = isShadow ? QStringLiteral("minutes of shadow") : QStringLiteral("hours of sun");
-    return onDate ? unit + QStringLiteral(" on this day") : QStringLiteral("mean %1 a day").arg(unit);
+    const QString unit = isShadow ? sheetText("minutes of shadow") : sheetText("hours of sun");
+    return onDate ? unit + sheetText(" on this day") : sheetText("mean %1 a day").arg(unit);
 }
 
 constexpr std::size_t maxNumbered = 40;
@@ -238,7 +240,7 @@ QString describeKey(const SunByPlace& sun, const std::vector<std::size_t>& order
     }
     QString key = names.join(QStringLiteral("   "));
     if (order.size() > maxNumbered)
-        key += QStringLiteral("   Further places: table, %1 and on.").arg(maxNumbered + 1);
+        key += sheetText("   Further places: table, %1 and on.").arg(maxNumbered + 1);
     return key;
 }
 
@@ -270,7 +272,7 @@ SheetMap makeSheetMap(const OrderedPlaces& of, const std::shared_ptr<PlacesScene
 BookPage pageOf(const OrderedPlaces& of, PlaceMap map, const QString& title, const QString& when,
                 const QString& shown, const PageSetup& setup) {
     QRectF area = contentArea(setup);
-    BookPage page{title, when, QStringLiteral("Map"), 0, {}};
+    BookPage page{title, when, sheetText("Map"), 0, {}};
     const double points = placeKeyPt * textScale(setup);
     constexpr double unit = MeasuringCanvas::unitsPerPoint;
     MeasuringCanvas measure;
@@ -282,11 +284,10 @@ BookPage pageOf(const OrderedPlaces& of, PlaceMap map, const QString& title, con
     auto scene = std::make_shared<PlacesScene>(PlacesScene{{}, std::move(map)});
     scene->sheet.emplace(makeSheetMap(of, scene));
     page.items.push_back(
-        {area,
-         PageMap{{scene, &*scene->sheet},
-                 {QStringLiteral("Places by their %1").arg(shown),
-                  QStringLiteral("Numbers as in the key and the table; a number that would cover another "
-                                 "one is left out. Outlines without colour: places without figures.")}}});
+        {area, PageMap{{scene, &*scene->sheet},
+                       {sheetText("Places by their %1").arg(shown),
+                        sheetText("Numbers as in the key and the table; a number that would cover another "
+                                  "one is left out. Outlines without colour: places without figures.")}}});
     return page;
 }
 
@@ -298,7 +299,7 @@ BookPage mapPage(const OrderedPlaces& of, const PlaceColours& colours, const Pag
     const SunByPlace& sun = of.sun;
     const bool isShadow = chooseShown(sun, colours).isShadow;
     const QString title =
-        isShadow ? QStringLiteral("Minutes of shadow by place") : QStringLiteral("Hours of sun by place");
+        isShadow ? sheetText("Minutes of shadow by place") : sheetText("Hours of sun by place");
     return pageOf(of, makeMap(sun, colours), titleWith(title, sun),
                   colours.date ? nameOfDate(sun, *colours.date) : describePeriod(sun.settings.study.period),
                   describeShown(isShadow, colours.date.has_value()), setup);
@@ -307,10 +308,9 @@ BookPage mapPage(const OrderedPlaces& of, const PlaceColours& colours, const Pag
 BookPage changePage(const ComparedSun& compared, const std::vector<std::size_t>& order,
                     const std::string& baseline, const PlaceColours& colours, const PageSetup& setup) {
     return pageOf({compared.sun, order}, makeChangeMap(compared, colours),
-                  titleWith(QStringLiteral("Change of sun by place"), compared.sun),
+                  titleWith(sheetText("Change of sun by place"), compared.sun),
                   describePeriod(compared.sun.settings.study.period),
-                  QStringLiteral("change of mean sun a day against %1, minutes").arg(plainText(baseline)),
-                  setup);
+                  sheetText("change of mean sun a day against %1, minutes").arg(plainText(baseline)), setup);
 }
 
 bool hasRemarks(const SunByPlace& sun) {
@@ -320,11 +320,11 @@ bool hasRemarks(const SunByPlace& sun) {
 // Of hours and areas with their unit, where the name of the figure does not end with it.
 QString titleOf(const Figure& figure, const ShownSunOrShadow& shown) {
     if (const ShadowFigure* shadow = shown.isShadow ? findShadow(figure) : nullptr)
-        return plainText(std::string(shadow->label)) + QStringLiteral(", min");
-    const QString label = plainText(std::string(figure.label));
+        return plainText(std::string(shadow->label)) + sheetText(", min");
+    const QString label = sheetText(figure.label);
     if (figure.unit == FigureUnit::squareMetres) return label + QStringLiteral(", m²");
     if (figure.unit == FigureUnit::share) return label;
-    return figure.unit == FigureUnit::minutesADay ? label + QStringLiteral(", min")
+    return figure.unit == FigureUnit::minutesADay ? label + sheetText(", min")
                                                   : label + QStringLiteral(", h");
 }
 
@@ -332,7 +332,7 @@ QString textOf(const Figure& figure, double value) {
     if (std::isnan(value)) return {};
     if (figure.unit == FigureUnit::share) return percentText(value);
     const int decimals = figure.unit == FigureUnit::squareMetres ? 0 : figure.shownDecimals;
-    return QString::number(value, 'f', decimals);
+    return fixedNumber(value, decimals);
 }
 
 // The change of the mean is the only one that has a column for each scenario.
@@ -341,15 +341,14 @@ const Figure& changeFigure() { return sunChangeFigures().rows().front(); }
 // Of the figures with trees, too, the mean is the only one that has columns.
 QString meanTitle(TreeColumns column, const ShownSunOrShadow& shown) {
     if (!shown.isShadow) return titleOf(sunFiguresWithTrees(column).front(), shown);
-    return QStringLiteral("%1, %2, min")
-        .arg(plainText(std::string(shadowOfPlaceFigures().front().label)),
-             plainText(std::string(describeTrees(column))));
+    return sheetText("%1, %2, min")
+        .arg(sheetText(shadowOfPlaceFigures().front().label), sheetText(describeTrees(column)));
 }
 
 // In minutes, as the window states changes.
 QString changeTitle(const ShownSunOrShadow& shown) {
-    return shown.isShadow ? QStringLiteral("Change of mean shadow, min")
-                          : plainText(std::string(changeFigure().label)) + QStringLiteral(", min");
+    return shown.isShadow ? sheetText("Change of mean shadow, min")
+                          : sheetText(changeFigure().label) + sheetText(", min");
 }
 
 QString changeText(double hours, const ShownSunOrShadow& shown) {
@@ -360,18 +359,18 @@ QString changeText(double hours, const ShownSunOrShadow& shown) {
 // As hours or minutes, with the digits of the window.
 QString timeText(double sunHours, const ShownSunOrShadow& shown) {
     if (std::isnan(sunHours)) return {};
-    return shown.isShadow ? plainText(formatNumber(shown.of(sunHours), 0)) : hoursText(sunHours);
+    return shown.isShadow ? sheetNumbers(formatNumber(shown.of(sunHours), 0)) : hoursText(sunHours);
 }
 
 std::vector<QString> titlesOf(const SunOfCities& all, const ShownSunOrShadow& shown) {
-    std::vector<QString> titles{QStringLiteral("No."), QStringLiteral("Place"), QStringLiteral("Kind")};
+    std::vector<QString> titles{sheetText("No."), sheetText("Place"), sheetText("Kind")};
     for (const Figure& figure : sunOfPlaceFigures().rows()) titles.push_back(titleOf(figure, shown));
     for (const SunWithTrees& with : shownCity(all).withTrees) titles.push_back(meanTitle(with.column, shown));
     for (const CivilDate& date : shownCity(all).settings.dates)
-        titles.push_back(QStringLiteral("Below, %1").arg(describeDates(date)));
+        titles.push_back(sheetText("Below, %1").arg(describeDates(date)));
     for (const ComparedSun& one : all.compared)
         titles.push_back(QStringLiteral("%1, %2").arg(changeTitle(shown), plainText(one.sun.name)));
-    if (hasRemarks(shownCity(all))) titles.push_back(QStringLiteral("Remarks"));
+    if (hasRemarks(shownCity(all))) titles.push_back(sheetText("Remarks"));
     return titles;
 }
 
@@ -386,7 +385,7 @@ std::vector<QString> rowOf(const SunOfCities& all, std::size_t i, std::size_t nu
     const SunByPlace& sun = shownCity(all);
     const SunOfPlace& of = sun.sun[i];
     std::vector<QString> row{QString::number(number), plainText(sun.places[i].name),
-                             plainText(nameOf(sun.places[i].kind))};
+                             sheetText(nameOf(sun.places[i].kind))};
     for (const Figure& figure : sunOfPlaceFigures().rows())
         row.push_back(findShadow(figure) ? timeText(figure.get(&of), shown)
                                          : textOf(figure, figure.get(&of)));
@@ -401,16 +400,15 @@ std::vector<QString> rowOf(const SunOfCities& all, std::size_t i, std::size_t nu
 NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order,
                    const ShownSunOrShadow& shown, std::size_t maxRows) {
     const std::size_t listed = std::min(order.size(), maxRows);
-    NamedTable table{QStringLiteral("Places"), {}, {titlesOf(all, shown), {}, {}}};
-    const QString which = all.compared.empty() ? QStringLiteral("with least sun")
-                                               : QStringLiteral("that lose most to the first scenario");
-    table.note =
-        order.size() == listed
-            ? QStringLiteral("All %1, those %2 first.").arg(describeCount(order.size(), "place"), which)
-            : QStringLiteral("The %1 of %2 %3; all of them are in places.csv.")
-                  .arg(describeCount(listed), describeCount(order.size(), "place"), which);
+    NamedTable table{sheetText("Places"), {}, {titlesOf(all, shown), {}, {}}};
+    const QString which = all.compared.empty() ? sheetText("with least sun")
+                                               : sheetText("that lose most to the first scenario");
+    table.note = order.size() == listed
+                     ? sheetText("All %1, those %2 first.").arg(describeCount(order.size(), "place"), which)
+                     : sheetText("The %1 of %2 %3; all of them are in places.csv.")
+                           .arg(describeCount(listed), describeCount(order.size(), "place"), which);
     if (!all.compared.empty())
-        table.note += QStringLiteral(" The figures are those of %1; changes are from %2.")
+        table.note += sheetText(" The figures are those of %1; changes are from %2.")
                           .arg(plainText(shownCity(all).name), plainText(all.baseline.name));
     for (std::size_t i = 0; i < listed; ++i) table.table.rows.push_back(rowOf(all, order[i], i + 1, shown));
     return table;
@@ -418,18 +416,19 @@ NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order
 
 // Without a scenario's name where there is one city.
 NamedTable errorTableOf(const SunByPlace& sun, bool isNamed) {
-    NamedTable table{QStringLiteral("Errors against the ray reference, on a sample"), {}, {}};
+    NamedTable table{sheetText("Errors against the ray reference, on a sample"), {}, {}};
     if (isNamed) table.title += QStringLiteral(": ") + plainText(sun.name);
-    for (const char* title : {"Figure", "Of", "Mean", "99 of 100 within", "Largest", "Values"})
-        table.table.titles.push_back(QString::fromLatin1(title));
+    for (const char* title : {NM_TEXT("Figure"), NM_TEXT("Of"), NM_TEXT("Mean"), NM_TEXT("99 of 100 within"),
+                              NM_TEXT("Largest"), NM_TEXT("Values")})
+        table.table.titles.push_back(sheetText(title));
     for (const ShownError& error : sun.errors) {
-        std::vector<QString> row{plainText(std::string(error.facts.label)), plainText(asOnSheets(error.of))};
+        std::vector<QString> row{sheetText(error.facts.label), plainText(asOnSheets(error.of))};
         for (const double off : {error.mean, error.p99, error.largest})
             row.push_back(plainText(formatDifference(off, error.facts.unit)));
         row.push_back(describeCount(error.count));
         table.table.rows.push_back(std::move(row));
     }
-    if (sun.errors.empty()) table.note = QStringLiteral("Not measured.");
+    if (sun.errors.empty()) table.note = sheetText("Not measured.");
     return table;
 }
 
@@ -443,6 +442,7 @@ std::vector<NamedTable> tablesOf(const SunOfCities& all, const ShownSunOrShadow&
 }  // namespace
 
 QImage paintPlacesMap(const SunByPlace& sun, const City& city, const PlaceColours& colours, int widthPx) {
+    const SheetScope words;
     constexpr double widthPt = 540;  // of the texts' size: that of a picture in a page
     constexpr double marginPt = 14;
     Box2 shown;
@@ -474,7 +474,7 @@ constexpr std::size_t maxMapsOfKind = 6;
 std::vector<BookPage> makePlaceTables(const SunOfCities& all, const BookSettings& settings,
                                       const PlaceColours& colours, std::size_t pagesBefore) {
     const auto pagesOf = [&](std::size_t maxRows) {
-        return makeTablePages(settings.setup, {QStringLiteral("Places"), {}, QStringLiteral("Places")},
+        return makeTablePages(settings.setup, {sheetText("Places"), {}, sheetText("Places")},
                               tablesOf(all, chooseShown(shownCity(all), colours), maxRows));
     };
     constexpr std::size_t leastRows = 10;
@@ -510,7 +510,7 @@ void addPlaces(Book& book, const SunOfCities& all, const SunOfCities& mapped, co
 }
 
 void addSummary(Book& book, const TextBlocks& blocks) {
-    std::ranges::move(makeTextPages(book.setup, {book.title, {}, QStringLiteral("Summary")}, blocks),
+    std::ranges::move(makeTextPages(book.setup, {book.title, {}, sheetText("Summary")}, blocks),
                       std::back_inserter(book.pages));
 }
 
@@ -518,10 +518,12 @@ void addSummary(Book& book, const TextBlocks& blocks) {
 
 Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, const PlaceColours& colours,
                         const SunOfCities* mapped) {
+    const SheetScope words(settings.language);
     const SunByPlace& sun = sunOf(all);
-    Book book = beginBook(settings, QStringLiteral("Sun by place"), sun.provenance.attribution);
-    book.record = {QStringLiteral("places.json"),
-                   extendRepeat(toJson(sun, all.compared), listColourOptions(colours))};
+    Book book = beginBook(settings, sheetText("Sun by place"), sun.provenance.attribution);
+    book.record = {QStringLiteral("places.json"), inEnglish([&] {
+                       return extendRepeat(toJson(sun, all.compared), listColourOptions(colours));
+                   })};
     TextBlocks blocks = describeFinding(all, settings.units, colours.legend.show);
     const TextBlocks repeat = repeatBlocks(makeRepeatCommand(sun, all.compared, bookCharacters), false,
                                            listColourOptions(colours), bookCharacters);
@@ -535,7 +537,8 @@ Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, co
 Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
                    const SunOfCities& sun, const BookSettings& settings, const PlaceColours& colours,
                    const SunOfCities* mapped) {
-    Book book = beginBook(settings, QStringLiteral("Sun by place"), attributionOf(result));
+    const SheetScope words(settings.language);
+    Book book = beginBook(settings, sheetText("Sun by place"), attributionOf(result));
     book.record = {QStringLiteral("result.json"), result.settings};
     TextBlocks blocks = describeFinding(sun, settings.units, colours.legend.show);
     for (const TextBlocks& section : makeSavedSections(result, origin, source))

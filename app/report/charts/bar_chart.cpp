@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/report/maps/sheet_text.h"
 #include "app/report/maps/style.h"
 
 namespace noonmark {
@@ -49,6 +50,14 @@ void paintGroup(const Canvas& canvas, const BarAxes& axes, const BarChart& chart
     }
 }
 
+/// "2026-01" of a month, "2 to 4" of a class; in other languages "Jan 2026".
+QString nameOfGroup(const Bars::Group& group) {
+    const auto* month = std::get_if<std::chrono::year_month>(&group.name);
+    if (isEnglishInUse() || month == nullptr) return QString::fromStdString(groupKey(group));
+    return QString::fromStdString(wordingInUse().month(month->month(), true)) +
+           QStringLiteral(" %1").arg(int(month->year()));
+}
+
 QString shortened(const QString& name, qsizetype letters) {
     return name.size() <= letters ? name : name.left(letters - 1) + QChar(0x2026);
 }
@@ -56,9 +65,9 @@ QString shortened(const QString& name, qsizetype letters) {
 }  // namespace
 
 BarChart makeMonthBars(const PlaceReview& place, UnitSystem units) {
-    BarChart chart{{{QStringLiteral("Baseline"), shade::baseline},
-                    {QStringLiteral("Scenario"), shade::proposal},
-                    {QStringLiteral("Incremental"), shade::incremental}},
+    BarChart chart{{{sheetText("Baseline"), shade::baseline},
+                    {sheetText("Scenario"), shade::proposal},
+                    {sheetText("Incremental"), shade::incremental}},
                    {},
                    true,
                    units};
@@ -70,9 +79,9 @@ BarChart makeMonthBars(const PlaceReview& place, UnitSystem units) {
         sums[1] += row.weight * row.scenarioM2h;
         sums[2] += row.weight * row.incrementalM2h;
     }
-    const QLocale english(QLocale::English);
     for (const auto& [month, sums] : months)
-        chart.groups.push_back({english.monthName(int(month), QLocale::ShortFormat), sums});
+        chart.groups.push_back(
+            {QString::fromStdString(wordingInUse().month(std::chrono::month(month), true)), sums});
     return chart;
 }
 
@@ -83,15 +92,14 @@ BarChart makeBarChart(const Bars& bars, FigureUnit figure, UnitSystem units, con
         chart.series.push_back(
             {shortened(QString::fromStdString(bars.series[i]), qsizetype(keyLetters / bars.series.size())),
              seriesColour(i + (bars.isChange ? 1 : 0))});
-    for (const Bars::Group& group : bars.groups)
-        chart.groups.push_back({QString::fromStdString(groupKey(group)), group.values});
+    for (const Bars::Group& group : bars.groups) chart.groups.push_back({nameOfGroup(group), group.values});
     return chart;
 }
 
 void paintBars(const Canvas& canvas, const QRectF& area, const BarChart& chart) {
     canvas.painter.save();
     if (chart.groups.empty()) {
-        paintNothing(canvas, area, QStringLiteral("No month has a day that counts"));
+        paintNothing(canvas, area, sheetText("No month has a day that counts"));
     } else {
         const BarAxes axes = axesOf(area, canvas.point, chart);
         for (std::size_t i = 0; i < chart.groups.size(); ++i) paintGroup(canvas, axes, chart, i);
@@ -120,7 +128,8 @@ QString describeGroup(const BarChart& chart, std::size_t group) {
         }
         const std::string value =
             chart.isAreaHours ? formatAreaHours(values[i], chart.units) : formatArea(values[i], chart.units);
-        parts << chart.series[i].name.toLower() + u' ' + QString::fromStdString(value);
+        parts << (isEnglishInUse() ? chart.series[i].name.toLower() : chart.series[i].name) + u' ' +
+                     QString::fromStdString(value);
     }
     return name + QStringLiteral("   ") + parts.join(QStringLiteral("; "));
 }

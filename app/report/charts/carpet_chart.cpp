@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "app/report/charts/timeline_chart.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/maps/style.h"
 
 namespace noonmark {
@@ -69,8 +70,7 @@ ChartAxis monthAxis(const CarpetChart& chart) {
         const std::chrono::sys_days next{day.year() / day.month() / std::chrono::last};
         const int to = std::min(int(axis.to), int((next - first).count()) + 1);
         if (from > 0) axis.ticks.push_back({double(from)});
-        const QString name =
-            QLocale(QLocale::English).monthName(int(unsigned(day.month())), QLocale::ShortFormat);
+        const QString name = QString::fromStdString(wordingInUse().month(day.month(), true));
         constexpr int minNamed = 10;
         if (to - from >= std::min(minNamed, int(axis.to)))
             axis.ticks.push_back({(from + to) / 2.0, name, false});
@@ -117,10 +117,10 @@ void paintShares(const Canvas& canvas, const QRectF& plot, const CarpetChart& ch
     for (int i = 0; i < parts; ++i, at += partPt)
         canvas.painter.fillRect(keyBox(canvas, plot, at, partPt),
                                 carpetColour(i / double(parts - 1), chart.quantity, chart.legend));
-    at = paintKeyText(canvas, plot, at + gapPt, QStringLiteral("100 % of the place")) + 12;
+    at = paintKeyText(canvas, plot, at + gapPt, sheetText("100 % of the place")) + 12;
     canvas.painter.setPen(linePen(canvas, canvas.inks.quiet, 0.5));
     canvas.painter.drawRect(keyBox(canvas, plot, at, 9));
-    paintKeyText(canvas, plot, at + 9 + gapPt, QStringLiteral("not counted"));
+    paintKeyText(canvas, plot, at + 9 + gapPt, sheetText("not counted"));
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ CarpetChart makeCarpetChart(std::span<const DayTimeline> days, CarpetQuantity qu
 void paintCarpet(const Canvas& canvas, const QRectF& area, const CarpetChart& chart) {
     canvas.painter.save();
     if (chart.days.empty() || chart.rows == 0) {
-        paintNothing(canvas, area, QStringLiteral("The sun is not up in the hours of the rule"));
+        paintNothing(canvas, area, sheetText("The sun is not up in the hours of the rule"));
     } else {
         const CarpetAxes axes = axesOf(area, canvas.point, chart);
         canvas.painter.setRenderHint(QPainter::LosslessImageRendering);
@@ -176,17 +176,17 @@ std::optional<CarpetCell> findCellAt(const QRectF& area, double point, const Car
 
 QString describeCell(const CarpetChart& chart, const CarpetCell& cell) {
     const float share = chart.shares[cell.day * chart.rows + cell.row];
-    const QString when =
-        QStringLiteral("%1, %2").arg(QString::fromStdString(formatText(chart.days[cell.day])),
-                                     formatClock(chart.fromMin + chart.rowMin * double(cell.row)));
-    if (std::isnan(share)) return QStringLiteral("%1   not counted").arg(when);
-    const QString shadow =
-        chart.quantity == CarpetQuantity::incremental ? QStringLiteral("incremental shadow")
-        : chart.quantity == CarpetQuantity::scenario  ? QStringLiteral("the scenario's shadow")
-                                                      : QStringLiteral("the baseline's shadow");
-    return QStringLiteral("%1   %2 % of the place in %3")
+    const QString when = QStringLiteral("%1, %2").arg(
+        isEnglishInUse() ? QString::fromStdString(formatText(chart.days[cell.day]))
+                         : QString::fromStdString(wordingInUse().date(chart.days[cell.day])),
+        formatClock(chart.fromMin + chart.rowMin * double(cell.row)));
+    if (std::isnan(share)) return sheetText("%1   not counted").arg(when);
+    const QString shadow = chart.quantity == CarpetQuantity::incremental ? sheetText("incremental shadow")
+                           : chart.quantity == CarpetQuantity::scenario  ? sheetText("the scenario's shadow")
+                                                                         : sheetText("the baseline's shadow");
+    return sheetText("%1   %2 % of the place in %3")
         .arg(when)
-        .arg(100 * double(share), 0, 'f', 1)
+        .arg(fixedNumber(100 * double(share), 1))
         .arg(shadow);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include "app/report/maps/sheet_text.h"
 
 namespace noonmark {
 
@@ -53,7 +54,7 @@ void paintTicksUp(const Canvas& canvas, const QRectF& plot, const ChartAxis& axi
 }  // namespace
 
 AreaUnit areaUnitOf(UnitSystem units) {
-    if (units == UnitSystem::imperial) return {squareMetresPerSquareFoot, QStringLiteral("sq ft")};
+    if (units == UnitSystem::imperial) return {squareMetresPerSquareFoot, sheetText("sq ft")};
     return {1, QStringLiteral("m²")};
 }
 
@@ -72,7 +73,7 @@ ChartAxis makeAmountAxis(double lowest, double highest, const QString& title) {
     ChartAxis axis{first * step, last * step, {}, title};
     const int decimals = std::max(0, -int(std::floor(std::log10(step) + 1e-9)));
     for (int i = first; i <= last; ++i)
-        axis.ticks.push_back({i * step, QString::fromStdString(formatNumber(i * step, decimals))});
+        axis.ticks.push_back({i * step, sheetNumbers(formatNumber(i * step, decimals))});
     return axis;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/report/maps/sheet_text.h"
 #include "app/report/maps/style.h"
 
 namespace noonmark {
@@ -101,18 +102,18 @@ bool gainsSun(const TimelineChart& chart) {
 }
 
 void paintLegend(const Canvas& canvas, const QRectF& plot, const TimelineChart& chart) {
-    std::vector<ChartKey> keys{{QStringLiteral("Baseline"), shade::baseline},
-                               {QStringLiteral("Scenario"), shade::proposal, true},
-                               {QStringLiteral("Incremental"), shade::incremental}};
-    if (gainsSun(chart)) keys.push_back({QStringLiteral("Sun gained"), shade::gained});
+    std::vector<ChartKey> keys{{sheetText("Baseline"), shade::baseline},
+                               {sheetText("Scenario"), shade::proposal, true},
+                               {sheetText("Incremental"), shade::incremental}};
+    if (gainsSun(chart)) keys.push_back({sheetText("Sun gained"), shade::gained});
     paintKeys(canvas, plot, keys);
 }
 
 QString areaText(const TimelineChart& chart, double m2) {
     QString text = QString::fromStdString(formatArea(m2, chart.units));
     if (chart.areaM2 > 0)
-        text +=
-            QStringLiteral(", %1 %").arg(100 * m2 / chart.areaM2, 0, 'f', m2 < 0.1 * chart.areaM2 ? 1 : 0);
+        text += QStringLiteral(", %1 %").arg(
+            fixedNumber(100 * m2 / chart.areaM2, m2 < 0.1 * chart.areaM2 ? 1 : 0));
     return text;
 }
 
@@ -141,9 +142,8 @@ TimelineChart makeTimelineChart(const DayTimeline& day, double stepMinutes, cons
 void paintTimeline(const Canvas& canvas, const QRectF& area, const TimelineChart& chart) {
     canvas.painter.save();
     if (chart.samples.empty()) {
-        paintNothing(
-            canvas, area,
-            QStringLiteral("The sun is not up in the rule's hours, or the place has no open ground"));
+        paintNothing(canvas, area,
+                     sheetText("The sun is not up in the rule's hours, or the place has no open ground"));
     } else {
         canvas.painter.setRenderHint(QPainter::Antialiasing);
         const TimelineAxes axes = axesOf(area, canvas.point, chart);
@@ -172,10 +172,10 @@ std::optional<std::size_t> findSampleAt(const QRectF& area, double point, const 
 
 QString describeSample(const TimelineChart& chart, std::size_t sample) {
     const Sample& at = chart.samples[sample];
-    QString text = QStringLiteral("%1   incremental %2; scenario %3; baseline %4")
+    QString text = sheetText("%1   incremental %2; scenario %3; baseline %4")
                        .arg(formatClock(at.minutes), areaText(chart, at.incrementalM2),
                             areaText(chart, at.scenarioM2), areaText(chart, at.baselineM2));
-    if (at.gainedM2 > 0) text += QStringLiteral("; sun gained %1").arg(areaText(chart, at.gainedM2));
+    if (at.gainedM2 > 0) text += sheetText("; sun gained %1").arg(areaText(chart, at.gainedM2));
     return text;
 }
 
@@ -183,18 +183,18 @@ QString describeIncremental(const DayTimeline& day, const DayClock& clock, UnitS
     const ShadowOnPlace& shadow = day.incremental;
     if (!shadow.enters())
         return shadow.largestM2 > 0
-                   ? QStringLiteral(
+                   ? sheetText(
                          "Incremental shadow on the edge of the place alone, beside all centres of cells")
-                   : QStringLiteral("No incremental shadow in the rule's hours");
+                   : sheetText("No incremental shadow in the rule's hours");
     const auto at = [&](Instant time) { return QString::fromStdString(clock.timeText(day.day, time)); };
-    const QString late = day.stepMinutes > 1
-                             ? QStringLiteral(" (up to %1 min too late)")
-                                   .arg(QString::fromStdString(formatNumber(day.stepMinutes, 1)))
-                             : QString();
-    return QStringLiteral("Incremental shadow from %1 to %2%6; at most %3, %4 % of the place, at %5")
+    const QString late =
+        day.stepMinutes > 1
+            ? sheetText(" (up to %1 min too late)").arg(sheetNumbers(formatNumber(day.stepMinutes, 1)))
+            : QString();
+    return sheetText("Incremental shadow from %1 to %2%6; at most %3, %4 % of the place, at %5")
         .arg(at(*shadow.enters()), at(*shadow.exits()),
              QString::fromStdString(formatArea(shadow.largestM2, units)),
-             QString::fromStdString(formatNumber(100 * shadow.largestM2 / std::max(1e-9, day.areaM2), 1)),
+             sheetNumbers(formatNumber(100 * shadow.largestM2 / std::max(1e-9, day.areaM2), 1)),
              at(*shadow.largestAt), late);
 }
 

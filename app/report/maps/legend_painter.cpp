@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/report/maps/sheet_text.h"
 #include "core/describe/text.h"
 #include "core/engines/shade_trees.h"
 #include "core/measures/shadow_figures.h"
@@ -31,7 +32,7 @@ QString fittingParts(QString unit, const QFontMetricsF& metrics, double room) {
 double titleWidth(const Canvas& canvas, const Legend& legend, double scale) {
     const QString firstPart = describeUnit(legend).section(QStringLiteral(", "), 0, 0);
     return QFontMetricsF(textFont(canvas, legendTitlePt * scale, QFont::Bold))
-               .horizontalAdvance(legend.title + QStringLiteral("  ")) +
+               .horizontalAdvance(sheetWord(legend.title) + QStringLiteral("  ")) +
            QFontMetricsF(textFont(canvas, legendTitlePt * scale)).horizontalAdvance(firstPart);
 }
 
@@ -44,7 +45,8 @@ void paintTitle(const Canvas& canvas, const QRectF& area, const Legend& legend) 
     while (shrunk > minTitleScale && titleWidth(canvas, legend, shrunk) > area.width())
         shrunk = std::max(minTitleScale, shrunk - 0.05);
     const QFont bold = textFont(canvas, legendTitlePt * shrunk, QFont::Bold);
-    const QString title = QFontMetricsF(bold).elidedText(legend.title, Qt::ElideRight, area.width());
+    const QString title =
+        QFontMetricsF(bold).elidedText(sheetWord(legend.title), Qt::ElideRight, area.width());
     const double baseline = area.top() + legendTitlePt * canvas.point;
     painter.setFont(bold);
     painter.setPen(canvas.inks.text);
@@ -85,7 +87,8 @@ int ticksOf(const Legend& legend) {
 }
 
 QString numberText(const Legend& legend, double value, bool isSigned) {
-    return (isSigned && value > 0 ? QStringLiteral("+") : QString()) + legend.numbers.toString(value, 'g', 6);
+    return (isSigned && value > 0 ? QStringLiteral("+") : QString()) +
+           sheetNumbers(legend.numbers.toString(value, 'g', 6).toStdString());
 }
 
 // Labels along the bar, from left to right.
@@ -148,9 +151,9 @@ void paintMoment(const Canvas& canvas, const QRectF& bar, const Legend& legend) 
     const bool change = legend.change;
     const QSizeF size(bar.height() * 2, bar.height());
     paintPatch(canvas, {bar.topLeft(), size}, colourAt(legend, 0),
-               change ? QStringLiteral("less shadow") : QStringLiteral("in the sun"));
+               change ? sheetText("less shadow") : sheetText("in the sun"));
     paintPatch(canvas, {{bar.left() + bar.width() / 2, bar.top()}, size}, colourAt(legend, 1),
-               change ? QStringLiteral("more shadow") : QStringLiteral("in shadow"));
+               change ? sheetText("more shadow") : sheetText("in shadow"));
 }
 
 // Patches from left to right, in a second row where the first has no room.
@@ -159,10 +162,11 @@ void paintClasses(const Canvas& canvas, const QRectF& bar, const std::vector<Leg
     const double gap = 10 * canvas.point;
     QPointF at = bar.topLeft();
     for (const LegendPatch& one : classes) {
-        const double width = bar.height() * 1.6 + 4 * canvas.point + metrics.horizontalAdvance(one.label);
+        const double width =
+            bar.height() * 1.6 + 4 * canvas.point + metrics.horizontalAdvance(sheetWord(one.label));
         if (at.x() > bar.left() && at.x() + width > bar.right())
             at = {bar.left(), at.y() + bar.height() + 3 * canvas.point};
-        paintPatch(canvas, {at, QSizeF(bar.height() * 1.6, bar.height())}, one.colour, one.label);
+        paintPatch(canvas, {at, QSizeF(bar.height() * 1.6, bar.height())}, one.colour, sheetWord(one.label));
         at.rx() += width + gap;
     }
 }
@@ -192,7 +196,7 @@ double paintOwnColours(const Canvas& canvas, const QRectF& area, const Legend& l
         const QFontMetricsF metrics(textFont(canvas, points));
         double width = 0;
         for (const LegendPatch& patch : patches)
-            width += metrics.horizontalAdvance(patch.label) + size * 1.6 + 12 * canvas.point;
+            width += metrics.horizontalAdvance(sheetWord(patch.label)) + size * 1.6 + 12 * canvas.point;
         return width;
     };
     const double room = area.width() - titleWidth(canvas, legend, minTitleScale);
@@ -200,9 +204,9 @@ double paintOwnColours(const Canvas& canvas, const QRectF& area, const Legend& l
     const QFontMetricsF metrics(textFont(canvas, labelPt));
     double x = area.right();
     for (auto patch = patches.rbegin(); patch != patches.rend(); ++patch) {
-        x -= metrics.horizontalAdvance(patch->label) + size * 1.6 + 12 * canvas.point;
+        x -= metrics.horizontalAdvance(sheetWord(patch->label)) + size * 1.6 + 12 * canvas.point;
         paintPatch(canvas, {x + 8 * canvas.point, area.top() + canvas.point, size * 1.6, size}, patch->colour,
-                   patch->label, labelPt);
+                   sheetWord(patch->label), labelPt);
     }
     return area.right() - x;
 }
@@ -210,9 +214,10 @@ double paintOwnColours(const Canvas& canvas, const QRectF& area, const Legend& l
 }  // namespace
 
 QString describeUnit(const Legend& legend) {
-    QStringList parts{legend.unit};
+    QStringList parts{sheetWord(legend.unit)};
     for (const LegendNote& note : legend.notes)
-        parts << (note.number.isEmpty() ? note.text : note.text.arg(note.number));
+        parts << (note.number.isEmpty() ? sheetWord(note.text)
+                                        : sheetWord(note.text).arg(sheetNumbers(note.number.toStdString())));
     return parts.join(QStringLiteral(", "));
 }
 

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "app/report/maps/city_painter.h"
+#include "app/report/maps/sheet_text.h"
 #include "core/base/units.h"
 #include "core/city/building_heights.h"
 #include "core/engines/shade_trees.h"
@@ -351,14 +352,14 @@ QStringList listNotes(const MapView& view, const MapScene& scene) {
     QStringList notes;
     const bool hasProposal = scene.proposal && std::ranges::any_of(scene.proposal->buildings, isSeen);
     if (hasProposal || (!scene.fillOf && std::ranges::any_of(scene.city.buildings, isSeenProposal)))
-        notes << QStringLiteral("violet: proposed");
+        notes << sheetText("violet: proposed");
     const bool hasDesigned = scene.removed && std::ranges::any_of(scene.removed->buildings, isSeenProposal);
     if (hasDesigned)
-        notes << QStringLiteral("orange: only in the baseline");
+        notes << sheetText("orange: only in the baseline");
     else if (scene.removed && std::ranges::any_of(scene.removed->buildings, isSeen))
-        notes << QStringLiteral("orange: demolished");
-    if (showsOverhangs(view, scene.city)) notes << QStringLiteral("dashed: open below");
-    if (showsOutline(view, scene.region)) notes << QStringLiteral("dark line: region");
+        notes << sheetText("orange: demolished");
+    if (showsOverhangs(view, scene.city)) notes << sheetText("dashed: open below");
+    if (showsOutline(view, scene.region)) notes << sheetText("dark line: region");
     return notes;
 }
 

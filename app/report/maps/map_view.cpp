@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "app/report/maps/sheet_text.h"
+
 namespace noonmark {
 
 namespace {
@@ -75,8 +77,8 @@ BarLabel labelOf(const ScaleBar& bar) {
     const double metres = bar.lengthM();
     const bool isLong = metres >= (bar.inFeet ? metresPerMile : 2000);
     const double unitM = bar.inFeet ? (isLong ? metresPerMile : metresPerFoot) : (isLong ? 1000 : 1);
-    const char* unit = bar.inFeet ? (isLong ? " mi" : " ft") : (isLong ? " km" : " m");
-    return {QString::number(metres / unitM), QString::fromLatin1(unit)};
+    const char* unit = bar.inFeet ? (isLong ? NM_TEXT(" mi") : NM_TEXT(" ft")) : (isLong ? " km" : " m");
+    return {shortNumber(metres / unitM, 6), sheetText(unit)};
 }
 
 /// The longest round bar of at most `longest` units, each of `unitM` metres.

@@ -8,6 +8,7 @@
 
 #include "app/report/book/diagram.h"
 #include "app/report/book/paper.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/study_text.h"
 #include "core/base/progress.h"
 #include "core/city/trees/tree.h"
@@ -45,7 +46,7 @@ std::shared_ptr<const DiagramScene> makeScene(const ShadowMovie& movie, bool wit
 QString shortTime(const DrawnTime& time) { return plainText(time.clock).section(u' ', 0, 1); }
 
 QString sunText(const SunStep& sun) {
-    return QStringLiteral("Sun: azimuth %1°, altitude %2°")
+    return sheetText("Sun: azimuth %1°, altitude %2°")
         .arg(describeAmount(double(sun.azimuthDeg), 1), describeAmount(double(sun.altitudeDeg), 1));
 }
 

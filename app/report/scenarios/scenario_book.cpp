@@ -9,6 +9,7 @@
 #include "app/report/book/flow.h"
 #include "app/report/book/print_book.h"
 #include "app/report/files/output_folder.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/maps/style.h"
 #include "app/report/scenarios/scenario_months.h"
 #include "app/report/scenarios/scenario_study.h"
@@ -52,19 +53,18 @@ std::vector<QString> rowOf(const ScenarioStudies& scenarios, const ScenarioStudy
 }
 
 std::vector<BookPage> tablePages(const ScenarioStudies& scenarios, const BookSettings& settings) {
-    PageTable table{
-        {QStringLiteral("Scenario"), QStringLiteral("Changes"), QStringLiteral("Change of the shadow area")},
-        {},
-        {},
-        {},
-        figuresPt * textScale(settings.setup)};
+    PageTable table{{sheetText("Scenario"), sheetText("Changes"), sheetText("Change of the shadow area")},
+                    {},
+                    {},
+                    {},
+                    figuresPt * textScale(settings.setup)};
     for (const Figure& figure : shadowFigures().rows())
-        if (figure.inTable) table.titles.push_back(plainText(figure.label));
+        if (figure.inTable) table.titles.push_back(sheetText(figure.label));
     for (const ScenarioStudy& scenario : scenarios)
         table.rows.push_back(rowOf(scenarios, scenario, settings.units));
     const Study& first = *scenarios.front().study;
-    const QString title = QStringLiteral("Scenarios"),
-                  note = QStringLiteral("%1 Change: from %2, on the receivers of both. Engine: %3.")
+    const QString title = sheetText("Scenarios"),
+                  note = sheetText("%1 Change: from %2, on the receivers of both. Engine: %3.")
                              .arg(defineFigures(listLines(shadowFigures().of(first.statistics))),
                                   plainText(scenarios.front().name), describeEngineUsed(first.field.engine));
     return makeTablePages(
@@ -74,7 +74,7 @@ std::vector<BookPage> tablePages(const ScenarioStudies& scenarios, const BookSet
          title,
          0,
          {}},
-        {{QStringLiteral("The same study of each scenario"), note, std::move(table)}});
+        {{sheetText("The same study of each scenario"), note, std::move(table)}});
 }
 
 }  // namespace
@@ -112,13 +112,10 @@ BookPage mapPage(const ScenarioStudies& scenarios, const ScenarioStudy& scenario
 QString describeBuilt(const ScenarioStudy& scenario, UnitSystem units) {
     QStringList parts;
     if (scenario.heightM)
-        parts << QStringLiteral("%1 high").arg(
-            QString::fromStdString(formatLength(*scenario.heightM, units, 1)));
+        parts << sheetText("%1 high").arg(QString::fromStdString(formatLength(*scenario.heightM, units, 1)));
     if (const auto floorM2 = sumFloorAreaM2(scenario.uses))
-        parts
-            << QStringLiteral("floor area %1").arg(QString::fromStdString(formatSmallArea(*floorM2, units)));
-    return parts.empty() ? QStringLiteral("no new building with known floors")
-                         : parts.join(QStringLiteral(", "));
+        parts << sheetText("floor area %1").arg(QString::fromStdString(formatSmallArea(*floorM2, units)));
+    return parts.empty() ? sheetText("no new building with known floors") : parts.join(QStringLiteral(", "));
 }
 
 double largestDifferenceMin(const std::vector<float>& a, const std::vector<float>& b) {
@@ -158,14 +155,17 @@ std::vector<BookPage> sideBySidePages(const ScenarioStudies& scenarios, const Le
     const int rows = setup.landscape ? (isPair ? 1 : 2) : (isPair ? 2 : 3);
     const QSizeF size((all.width() - gap * (columns - 1)) / columns,
                       (all.height() - gap * (rows - 1)) / rows);
-    const QString title = QStringLiteral("Scenarios side by side");
+    const QString title = sheetText("Scenarios side by side");
     const Box2 difference = findDifference(scenarios);
     std::vector<BookPage> pages;
     for (std::size_t i = 0; i < scenarios.size(); ++i) {
         const int at = int(i) % (columns * rows);
         if (at == 0)
-            pages.push_back(
-                {title, legend.title + QStringLiteral(", on one scale"), i == 0 ? title : QString(), 0, {}});
+            pages.push_back({title,
+                             sheetWord(legend.title) + sheetText(", on one scale"),
+                             i == 0 ? title : QString(),
+                             0,
+                             {}});
         SheetMap map = makeScenarioMap(scenarios, scenarios[i], legend);
         map.scene.shown = zoomOn(difference, map.scene);
         const QPointF corner(all.left() + (at % columns) * (size.width() + gap),
@@ -183,16 +183,16 @@ PageChart chartOf(const MonthChart& chart, const Bars& bars, const BookSettings&
     const Bars shown = firstSeries(bars, bars.isChange ? maxSeries - 1 : maxSeries);
     const QString more = shown.series.size() == bars.series.size()
                              ? QString()
-                             : QStringLiteral("The first %1 of %2 scenarios; scenario_months.csv has all")
+                             : sheetText("The first %1 of %2 scenarios; scenario_months.csv has all")
                                    .arg(shown.series.size())
                                    .arg(bars.series.size());
     return {makeBarChart(shown, chart.unit, settings.units, isArea ? QString() : QStringLiteral("h")),
-            {plainText(bars.title), more}};
+            {sheetText(bars.title), more}};
 }
 
 /// A figure by month, above its changes.
 BookPage monthPage(const MonthChart& chart, const BookSettings& settings) {
-    BookPage page{plainText(chart.values.title), {}, plainText(chart.values.title), 0, {}};
+    BookPage page{sheetText(chart.values.title), {}, sheetText(chart.values.title), 0, {}};
     const QRectF all = contentArea(settings.setup);
     const double gap = 14 * textScale(settings.setup), height = (all.height() - gap) / 2;
     page.items.push_back(
@@ -219,22 +219,23 @@ std::vector<CommandOption> listSheetOptions(const BookSettings& settings) {
 
 std::string makeRecord(const ScenarioStudies& scenarios, const BookSettings& settings,
                        const FailedScenarios& failed) {
-    return extendRepeat(scenariosJson(scenarios, failed), listSheetOptions(settings));
+    return inEnglish(
+        [&] { return extendRepeat(scenariosJson(scenarios, failed), listSheetOptions(settings)); });
 }
 
 // The edits of each scenario, and what all of them were measured from.
 TextBlocks describeOrigin(const ScenarioStudies& scenarios, const BookSettings& settings) {
     const Study& first = *scenarios.front().study;
-    TextBlocks blocks{heading(QStringLiteral("How this was made"))};
+    TextBlocks blocks{heading(sheetText("How this was made"))};
     for (const ScenarioStudy& one : scenarios) {
         const auto& project = one.study->provenance.project;
         if (!project) continue;
         QStringList edits;
         for (const std::string& edit : project->scenario.edits) edits << plainText(edit);
         blocks.push_back(
-            body(QStringLiteral("%1: %2. Buildings and ground: SHA-256 %3.")
+            body(sheetText("%1: %2. Buildings and ground: SHA-256 %3.")
                      .arg(plainText(one.name),
-                          edits.empty() ? QStringLiteral("no changes") : edits.join(QStringLiteral("; ")),
+                          edits.empty() ? sheetText("no changes") : edits.join(QStringLiteral("; ")),
                           QString::fromStdString(project->scenario.citySha256))));
     }
     const TextBlocks repeat =
@@ -260,10 +261,12 @@ std::size_t countLargeMaps(const ScenarioStudies& scenarios, const BookSettings&
 
 Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& settings,
                       const FailedScenarios& failed) {
-    Book book = beginBook(settings, QStringLiteral("Scenarios side by side"),
+    const SheetScope words(settings.language);
+    Book book = beginBook(settings, sheetText("Scenarios side by side"),
                           scenarios.front().study->provenance.attribution);
     BookSettings stated = settings;
     if (stated.titleBlock.date.empty()) stated.titleBlock.date = book.date.toStdString();
+    stated.language = statedLanguage(settings.language);
     book.record = {QStringLiteral("scenarios.json"), makeRecord(scenarios, stated, failed)};
     book.pages = tablePages(scenarios, settings);
     for (const MonthChart& chart : makeMonthCharts(listMonths(scenarios)))
@@ -274,7 +277,7 @@ Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& sett
                       std::make_move_iterator(maps.end()));
     for (const ScenarioStudy& scenario : std::span(scenarios).first(countLargeMaps(scenarios, settings)))
         book.pages.push_back(mapPage(scenarios, scenario, legend, settings.setup));
-    const QString origin = QStringLiteral("How this was made");
+    const QString origin = sheetText("How this was made");
     for (BookPage& page :
          makeTextPages(settings.setup, {origin, {}, origin, 0, {}}, describeOrigin(scenarios, stated)))
         book.pages.push_back(std::move(page));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/report_sections.h"
 #include "core/base/safe_text.h"
 #include "core/receivers/rasterize.h"
@@ -24,13 +25,13 @@ TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale, c
         return describeUnit(makeLegend(answer.study.total, measure, scale, legend));
     };
     const bool isSun = legend.show != ShownAs::shadow;
-    return {body(QStringLiteral("Colours: %1 in %2; continuous shadow in %3.")
-                     .arg(isSun ? QStringLiteral("sun") : QStringLiteral("gross shadow"),
-                          unitOf(ShadowMeasure::gross), unitOf(ShadowMeasure::continuous))),
-            body(QStringLiteral("Change: minutes in %1 minus minutes in %2, with the same engine, steps and "
-                                "cells; positive means more %3. %4")
+    return {body(sheetText("Colours: %1 in %2; continuous shadow in %3.")
+                     .arg(isSun ? sheetText("sun") : sheetText("gross shadow"), unitOf(ShadowMeasure::gross),
+                          unitOf(ShadowMeasure::continuous))),
+            body(sheetText("Change: minutes in %1 minus minutes in %2, with the same engine, steps and "
+                           "cells; positive means more %3. %4")
                      .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from),
-                          isSun ? QStringLiteral("sun") : QStringLiteral("shadow"),
+                          isSun ? sheetText("sun") : sheetText("shadow"),
                           defineFigures(listLines(computeFigures(answer), legend.show))))};
 }
 
@@ -53,9 +54,9 @@ Study afterAsStudy(const ImpactAnswer& answer, const AnswerSource& source) {
 void addBuildings(std::vector<TextBlocks>& sections, const ComparisonFigures& figures) {
     if (figures.byBuilding.empty()) return;
     TextBlocks blocks{
-        heading(QStringLiteral("Sole contribution of each new building: against the scenario without it"))};
+        heading(sheetText("Sole contribution of each new building: against the scenario without it"))};
     for (const auto& building : figures.byBuilding)
-        blocks.push_back(body(QStringLiteral("%1: %2 with more than %3 min a day of additional gross shadow")
+        blocks.push_back(body(sheetText("%1: %2 with more than %3 min a day of additional gross shadow")
                                   .arg(QString::fromStdString(building.name),
                                        describeArea(building.figures.gross.moreShadowM2),
                                        describeAmount(building.figures.thresholdMin, 2))));
@@ -66,8 +67,7 @@ std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSourc
                                    const std::vector<CommandOption>& drawn) {
     const Study after = afterAsStudy(answer, source);
     std::vector<TextBlocks> sections = methodSections(
-        after,
-        QStringLiteral("This is the error of the change, compared with the change by the ray reference."));
+        after, sheetText("This is the error of the change, compared with the change by the ray reference."));
     addBuildings(sections, computeFigures(answer));
     for (TextBlocks& section : sourceSections(after)) sections.push_back(std::move(section));
     sections.push_back(
@@ -113,13 +113,13 @@ void addNewBuildings(std::vector<FigureText>& figures, const City& proposal) {
         const double height =
             double(topM(building)) - double(groundAt(proposal, glm::dvec2(box.low + box.high) / 2.0));
         const std::string& name = building.name.empty() ? building.sourceId : building.name;
-        figures.push_back({QStringLiteral("New building"),
-                           QStringLiteral("%1, %2 m high")
+        figures.push_back({sheetText("New building"),
+                           sheetText("%1, %2 m high")
                                .arg(QString::fromStdString(cleanText(name)), describeAmount(height, 1))});
     }
     if (proposal.buildings.size() > maximum)
         figures.push_back(
-            {QStringLiteral("Further new buildings"), describeCount(proposal.buildings.size() - maximum)});
+            {sheetText("Further new buildings"), describeCount(proposal.buildings.size() - maximum)});
 }
 
 }  // namespace
@@ -145,6 +145,7 @@ SheetMap makeImpactMap(const Impact& impact, const City& city, const Region& reg
 
 Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
                 const LegendChoice& legend) {
+    const SheetScope words;
     const Impact& impact = impactOfColumn(answer.study, legend.trees);
     const Region& region = answer.settings.study.region;
     const auto mapOf = [&](ShadowMeasure measure) {
@@ -154,10 +155,10 @@ Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const Ch
         zoomOnChange(answer, map);
         return map;
     };
-    const QString subject = QStringLiteral("%1 compared with %2")
+    const QString subject = sheetText("%1 compared with %2")
                                 .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from));
-    const QString sunlit = QStringLiteral("sun above the horizon for %1 min a day")
-                               .arg(describeAmount(impact.sunlitMinutesPerDay));
+    const QString sunlit =
+        sheetText("sun above the horizon for %1 min a day").arg(describeAmount(impact.sunlitMinutesPerDay));
     Sheet sheet{.headline = makeHeadline(answer.settings.study, source.city.frame, subject,
                                          isInstant(impact) ? QString() : sunlit),
                 .map = mapOf(ShadowMeasure::gross),
@@ -165,8 +166,9 @@ Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const Ch
                 .figures = figureTexts(listLines(computeFigures(answer), legend.show)),
                 .sections = sectionsOf(answer, source, drawnOptions(scale, legend)),
                 .credit = describeData(answer.provenance.attribution),
-                .record = {QStringLiteral("impact.json"),
-                           extendRepeat(impactJson(answer), drawnOptions(scale, legend))}};
+                .record = {QStringLiteral("impact.json"), inEnglish([&] {
+                               return extendRepeat(impactJson(answer), drawnOptions(scale, legend));
+                           })}};
     addNewBuildings(sheet.figures, answer.proposal);
     sheet.finding = QString::fromStdString(formatText(makePage(answer, legend).headline)) + u'.';
     if (const auto beyond = describeBeyond(answer))
@@ -178,6 +180,9 @@ Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const Ch
 namespace {
 
 QString monthName(std::chrono::year_month month) {
+    if (!isEnglishInUse())
+        return QString::fromStdString(wordingInUse().month(month.month(), true)) +
+               QStringLiteral(" %1").arg(int(month.year()));
     return QStringLiteral("%1-%2").arg(int(month.year())).arg(unsigned(month.month()), 2, 10, QChar(u'0'));
 }
 
@@ -194,22 +199,21 @@ QString describePart(const MonthFigures& month) {
 
 TextBlocks definitionsOf(const Score& score) {
     return {body(defineFigures(listScoreLines(score)) +
-                 QStringLiteral(" Positive means that wanted shade outweighs unwanted shadow. The figures of "
-                                "the months add up to the total."))};
+                 sheetText(" Positive means that wanted shade outweighs unwanted shadow. The figures of "
+                           "the months add up to the total."))};
 }
 
 TextBlocks methodOf(const ScoreAnswer& answer) {
-    return {heading(QStringLiteral("Method")),
-            body(QStringLiteral("Engine: %1.").arg(describeEngineUsed(answer.score.engine))),
-            body(QStringLiteral("Receivers: centres of square cells of %1 m on %2, inside the region.")
+    return {heading(sheetText("Method")),
+            body(sheetText("Engine: %1.").arg(describeEngineUsed(answer.score.engine))),
+            body(sheetText("Receivers: centres of square cells of %1 m on %2, inside the region.")
                      .arg(describeAmount(answer.score.grid.cellM, 2),
-                          QString::fromUtf8(describe(answer.settings.receivers.places))))};
+                          sheetText(describe(answer.settings.receivers.places))))};
 }
 
 // Intervals without a sun step have neither area nor score and are skipped.
 TextBlocks weightsOf(const ScoreAnswer& answer) {
-    TextBlocks blocks{
-        heading(QStringLiteral("Weights: %1").arg(QString::fromStdString(answer.weights.name)))};
+    TextBlocks blocks{heading(sheetText("Weights: %1").arg(QString::fromStdString(answer.weights.name)))};
     for (const IntervalFigures& interval : answer.score.intervals)
         if (interval.shadowAreaM2 > 0)
             blocks.push_back(body(QStringLiteral("%1: %2").arg(
@@ -259,7 +263,8 @@ std::vector<FigureText> makeScoreFigures(const Score& score) {
 }
 
 Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source, const LegendChoice& legend) {
-    const QString subject = QStringLiteral("Shadow score of %1").arg(QString::fromStdString(answer.scenario));
+    const SheetScope words;
+    const QString subject = sheetText("Shadow score of %1").arg(QString::fromStdString(answer.scenario));
     std::vector<TextBlocks> sections{methodOf(answer), errorBlocks(answer.score.errors), weightsOf(answer)};
     for (TextBlocks& section : sourcesOf(answer, source, listLegendOptions(legend, true)))
         sections.push_back(std::move(section));
@@ -269,8 +274,9 @@ Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source, const Leg
             .figures = makeScoreFigures(answer.score),
             .sections = std::move(sections),
             .credit = describeData(answer.provenance.attribution),
-            .record = {QStringLiteral("score.json"),
-                       extendRepeat(scoreJson(answer), listLegendOptions(legend, true))}};
+            .record = {QStringLiteral("score.json"), inEnglish([&] {
+                           return extendRepeat(scoreJson(answer), listLegendOptions(legend, true));
+                       })}};
 }
 
 }  // namespace noonmark

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/report/maps/legend_painter.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/pdf_page.h"
 #include "core/study/text/region_text.h"
 
@@ -195,6 +196,7 @@ private:
 }  // namespace
 
 bool writePdf(const Sheet& sheet, QIODevice& device) {
+    const SheetScope words;
     QPdfWriter writer(&device);
     beginPdf(writer, sheet.headline.what + QStringLiteral(", ") + sheet.headline.when);
     attachRecord(sheet.record, writer);
@@ -238,6 +240,7 @@ Places placesOf(const MapScene& scene, int widthPx) {
 }  // namespace
 
 QImage makePicture(const Sheet& sheet, int width) {
+    const SheetScope words;
     width = std::clamp(width, minPictureWidth, maxPictureWidth);
     const Places places = placesOf(sheet.map.scene, width);
     QImage image(places.size, QImage::Format_RGB32);
@@ -271,7 +274,7 @@ void paintLine(const Canvas& canvas, const QRectF& area, double baselinePt, cons
 Headline makeHeadline(const Study& study, const QString& subject) {
     Headline headline = makeHeadline(study.settings, study.city.frame, subject, describeSunlit(study));
     if (const auto& project = study.provenance.project)
-        headline.what += QStringLiteral(", scenario ") + QString::fromStdString(project->scenario.name);
+        headline.what += sheetText(", scenario ") + QString::fromStdString(project->scenario.name);
     return headline;
 }
 

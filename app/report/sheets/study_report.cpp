@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/report/maps/sheet_text.h"
 #include "app/report/maps/style.h"
 #include "app/report/sheets/answer_reports.h"
 #include "app/report/sheets/report_sections.h"
@@ -31,15 +32,17 @@ std::vector<TextBlocks> sectionsOf(const Study& study) {
 }  // namespace
 
 Sheet makeSheet(const Study& study, const LegendChoice& legend) {
-    Sheet sheet{.headline = makeHeadline(study, QStringLiteral("Shadow study")),
+    const SheetScope words;
+    Sheet sheet{.headline = makeHeadline(study, sheetText("Shadow study")),
                 .map = mapOf(study, ShadowMeasure::gross, legend),
                 .definitions = definitionBlocks(study, legend.show),
                 .figures = computeFigures(study, legend.show),
                 .sections = sectionsOf(study),
                 .repeat = repeatBlocks(study, listLegendOptions(legend, false)),
                 .credit = describeData(study),
-                .record = {QStringLiteral("study.json"),
-                           extendRepeat(studyJson(study), listLegendOptions(legend, false))}};
+                .record = {QStringLiteral("study.json"), inEnglish([&] {
+                               return extendRepeat(studyJson(study), listLegendOptions(legend, false));
+                           })}};
     const AnswerPage page = makePage(study.field, study.statistics, nameOf(study.settings.region), legend);
     if (!page.headline.source.empty())
         sheet.finding = QString::fromStdString(formatText(asOnSheets(page.headline))) + u'.';
@@ -49,12 +52,14 @@ Sheet makeSheet(const Study& study, const LegendChoice& legend) {
 }
 
 bool writeReport(const Study& study, QIODevice& device, const LegendChoice& legend) {
+    const SheetScope words;
     return writePdf(makeSheet(study, legend), device);
 }
 
 QImage mapPicture(const Study& study, ShadowMeasure measure, int width, const LegendChoice& legend) {
+    const SheetScope words;
     const SheetMap map = mapOf(study, measure, legend);
-    const QString subject = isInstant(study.field) ? QStringLiteral("Shadow") : map.legend.title;
+    const QString subject = isInstant(study.field) ? sheetText("Shadow") : sheetWord(map.legend.title);
     return makePicture(
         Sheet{.headline = makeHeadline(study, subject), .map = map, .credit = describeData(study)}, width);
 }
@@ -78,34 +83,32 @@ SheetMap makeStudyMap(const ShadowField& saved, ShadowMeasure measure, const Sav
 }
 
 QString describeTime(const SavedOrigin& origin) {
-    if (origin.at.empty()) return QStringLiteral("at an unknown time");
+    if (origin.at.empty()) return sheetText("at an unknown time");
     QString at = plainText(origin.at);
     at.replace(QLatin1Char('T'), QLatin1Char(' ')).replace(QLatin1Char('Z'), QStringLiteral(" UTC"));
-    return QStringLiteral("on ") + at;
+    return sheetText("on ") + at;
 }
 
 TextBlocks originSection(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source) {
     TextBlocks blocks{
-        heading(QStringLiteral("A result saved in the project")),
-        body(QStringLiteral("'%1', saved %2 by %3. Maps and figures are those that were saved.")
+        heading(sheetText("A result saved in the project")),
+        body(sheetText("'%1', saved %2 by %3. Maps and figures are those that were saved.")
                  .arg(plainText(result.name), describeTime(origin), plainText(origin.program)))};
     for (const std::string& change : source.changes) blocks.push_back(body(plainText(change)));
-    blocks.push_back(
-        body(source.changes.empty()
-                 ? QStringLiteral("Its inputs have not changed since.")
-                 : QStringLiteral("The buildings drawn are those of the scenario as it is now.")));
+    blocks.push_back(body(source.changes.empty()
+                              ? sheetText("Its inputs have not changed since.")
+                              : sheetText("The buildings drawn are those of the scenario as it is now.")));
     return blocks;
 }
 
 TextBlocks methodSection(const SavedResult& result, const SavedOrigin& origin, const std::string& error) {
     TextBlocks blocks{
-        heading(QStringLiteral("Method")),
-        body(QStringLiteral("Engine: %1.").arg(describeEngineUsed(origin.engine))),
-        body(QStringLiteral("Square cells of %1 m; those that were not measured are white on the map.")
+        heading(sheetText("Method")), body(sheetText("Engine: %1.").arg(describeEngineUsed(origin.engine))),
+        body(sheetText("Square cells of %1 m; those that were not measured are white on the map.")
                  .arg(describeAmount(result.grid.cellM, 2)))};
-    if (!error.empty()) blocks.push_back(body(QStringLiteral("Error: %1.").arg(plainText(error))));
+    if (!error.empty()) blocks.push_back(body(sheetText("Error: %1.").arg(plainText(error))));
     if (const auto& weights = origin.weights)
-        blocks.push_back(body(QStringLiteral("Weight table: %1.").arg(plainText(weights->name))));
+        blocks.push_back(body(sheetText("Weight table: %1.").arg(plainText(weights->name))));
     return blocks;
 }
 
@@ -117,7 +120,7 @@ std::string textIn(const SavedJson& object, const char* member) {
 // Files without a hash are samples, which are generated.
 TextBlocks inputsSection(const SavedResult& result) {
     constexpr std::size_t maximum = 8;
-    TextBlocks blocks{heading(QStringLiteral("Inputs"))};
+    TextBlocks blocks{heading(sheetText("Inputs"))};
     const SavedJson inputs = SavedJson::parse(result.inputs, nullptr, false);
     const std::size_t count = inputs.is_array() ? inputs.size() : 0;
     for (std::size_t i = 0; i < std::min(maximum, count); ++i) {
@@ -126,8 +129,8 @@ TextBlocks inputsSection(const SavedResult& result) {
         if (const std::string hash = textIn(inputs[i], "sha256"); !hash.empty())
             blocks.push_back({TextKind::code, plainText(hash)});
     }
-    if (count > maximum) blocks.push_back(body(QStringLiteral("and %1 more").arg(count - maximum)));
-    if (count == 0) blocks.push_back(body(QStringLiteral("No file: the city was not read from a file.")));
+    if (count > maximum) blocks.push_back(body(sheetText("and %1 more").arg(count - maximum)));
+    if (count == 0) blocks.push_back(body(sheetText("No file: the city was not read from a file.")));
     return blocks;
 }
 
@@ -165,9 +168,10 @@ Region makeSavedRegion(const SavedResult& result, const SavedOrigin& origin,
 }
 
 SavedSheet makeSavedSheet(const SavedResult& result, const SavedStudy& study, const SavedMaps& with) {
+    const SheetScope words;
     const bool isOfMoment = isInstant(study.field);
     SavedSheet sheet{
-        .subject = QStringLiteral("Shadow study of %1").arg(plainText(result.scenario)),
+        .subject = sheetText("Shadow study of %1").arg(plainText(result.scenario)),
         .map = makeStudyMap(study.field, ShadowMeasure::gross, with),
         .definitions = {body(defineFigures(listLines(shadowFigures().of(study.statistics),
                                                      {.isInstant = isOfMoment, .show = with.legend.show})))},
@@ -179,6 +183,7 @@ SavedSheet makeSavedSheet(const SavedResult& result, const SavedStudy& study, co
 }
 
 SavedSheet makeSavedSheet(const SavedResult& result, const SavedImpact& saved, const SavedMaps& with) {
+    const SheetScope words;
     const Impact& impact = saved.impact;
     const QString scenario = plainText(result.scenario), baseline = plainText(result.baseline);
     const auto map = [&](ShadowMeasure measure) {
@@ -187,12 +192,11 @@ SavedSheet makeSavedSheet(const SavedResult& result, const SavedImpact& saved, c
     const ShownAs show = with.legend.show;
     const auto lines = listLines(saved.figures, show);
     SavedSheet sheet{
-        .subject = QStringLiteral("%1 compared with %2").arg(scenario, baseline),
+        .subject = sheetText("%1 compared with %2").arg(scenario, baseline),
         .map = map(ShadowMeasure::gross),
         .definitions = {body(
-            QStringLiteral("Change: minutes in %1 minus minutes in %2; positive means more %3. %4")
-                .arg(scenario, baseline,
-                     show == ShownAs::shadow ? QStringLiteral("shadow") : QStringLiteral("sun"),
+            sheetText("Change: minutes in %1 minus minutes in %2; positive means more %3. %4")
+                .arg(scenario, baseline, show == ShownAs::shadow ? sheetText("shadow") : sheetText("sun"),
                      defineFigures(lines)))},
         .figures = figureTexts(lines)};
     if (!isInstant(impact) && hasRuns(impact)) sheet.smallMap.emplace(map(ShadowMeasure::continuous));
@@ -200,7 +204,8 @@ SavedSheet makeSavedSheet(const SavedResult& result, const SavedImpact& saved, c
 }
 
 SavedSheet makeSavedSheet(const SavedResult& result, const SavedScore& saved, const SavedMaps& with) {
-    return {.subject = QStringLiteral("Shadow score of %1").arg(plainText(result.scenario)),
+    const SheetScope words;
+    return {.subject = sheetText("Shadow score of %1").arg(plainText(result.scenario)),
             .map = makeScoreMap(saved.score, with.city, with.region, with.legend),
             .definitions = {body(defineFigures(listScoreLines(saved.score)))},
             .figures = makeScoreFigures(saved.score)};
@@ -213,6 +218,7 @@ std::string attributionOf(const SavedResult& result) {
 
 std::vector<TextBlocks> makeSavedSections(const SavedResult& result, const SavedOrigin& origin,
                                           const SavedSource& source, const std::string& error) {
+    const SheetScope words;
     return {originSection(result, origin, source), methodSection(result, origin, error),
             inputsSection(result)};
 }

@@ -37,7 +37,7 @@ std::vector<FigureText> computeFigures(const Study& study, ShownAs show = ShownA
 std::vector<FigureText> makeStudyFigures(const ShadowStatistics& statistics, const ShadowField& field,
                                          std::uint64_t steps, ShownAs show = ShownAs::shadow);
 
-QString describeDates(CivilDate date);  ///< "21 March 2026": the form of all dates on sheets
+QString describeDates(CivilDate date);  ///< the form of all dates on sheets, in their language
 /// A date in the form of files ("2026-03-21"), alone or before a comma, as sheets write it; any other text as
 /// it is.
 std::string asOnSheets(const std::string& dateOrText);

@@ -4,6 +4,7 @@
 #include <QTextLayout>
 #include <algorithm>
 #include <memory>
+#include "app/report/maps/sheet_text.h"
 
 namespace noonmark {
 
@@ -125,8 +126,7 @@ double paintBlocks(const Canvas& canvas, const TextBlocks& blocks, const QRectF&
         return area.top() + paintUpTo(canvas.painter, paragraphs, area.topLeft(), area.height() + slack);
     const Type type = typeOf(canvas, TextKind::body, points);
     const double bottom = paintUpTo(canvas.painter, paragraphs, area.topLeft(), area.height() - type.line);
-    const Paragraph rest(canvas, QStringLiteral("... the rest is in the JSON file"), type, area.width(),
-                         bottom);
+    const Paragraph rest(canvas, sheetText("... the rest is in the JSON file"), type, area.width(), bottom);
     return area.top() + rest.paint(canvas.painter, area.topLeft(), area.height() + slack);
 }
 

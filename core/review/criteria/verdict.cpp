@@ -11,8 +11,9 @@ namespace noonmark {
 namespace {
 
 // In the order of Verdict.
-constexpr std::array<std::string_view, 5> verdictNames{
-    NM_TEXT("pass"), NM_TEXT("borderline"), NM_TEXT("fail"), NM_TEXT("not applicable"), "not checked"};
+constexpr std::array<std::string_view, 5> verdictNames{NM_TEXT("pass"), NM_TEXT("borderline"),
+                                                       NM_TEXT("fail"), NM_TEXT("not applicable"),
+                                                       NM_TEXT("not checked")};
 
 double quotient(double value, double former) {
     if (former > 0) return value / former;

@@ -171,9 +171,9 @@ void PlaceEvaluation::judge(PlaceReview& review) const {
             Verdict::notApplicable,
             fmt::format("The rule does not cover places of the kind '{}'", nameOf(review.kind)));
     if (rule_->receivers.surface == RuleSurface::windows)
-        return markUnjudged(Verdict::notApplicable, "The rule is about windows, not about places");
+        return markUnjudged(Verdict::notApplicable, NM_TEXT("The rule is about windows, not about places"));
     if (review.areaM2 <= 0)
-        return markUnjudged(Verdict::notChecked, "The place has no cell where shadow is measured");
+        return markUnjudged(Verdict::notChecked, NM_TEXT("The place has no cell where shadow is measured"));
     if (!sunWasUp_) return markUnjudged(Verdict::notChecked, std::string(noSunInHours));
     for (std::size_t i = 0; i < review.results.size(); ++i) {
         if (!decides(review.criteria[i], review.results[i])) continue;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
@@ -25,8 +27,9 @@ void addRow(const ReviewRow& row, SeasonSum& sum) {
 }  // namespace
 
 std::array<SeasonSum, 4> sumSeasons(const PlaceReview& review) {
-    std::array<SeasonSum, 4> seasons{SeasonSum{"December to February"}, SeasonSum{"March to May"},
-                                     SeasonSum{"June to August"}, SeasonSum{"September to November"}};
+    std::array<SeasonSum, 4> seasons{SeasonSum{NM_TEXT("December to February")},
+                                     SeasonSum{NM_TEXT("March to May")}, SeasonSum{NM_TEXT("June to August")},
+                                     SeasonSum{NM_TEXT("September to November")}};
     for (const ReviewRow& row : review.rows) addRow(row, seasons[unsigned(row.day.month()) % 12 / 3]);
     return seasons;
 }

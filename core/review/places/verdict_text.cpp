@@ -4,6 +4,9 @@
 
 #include <cmath>
 
+#include "core/base/wording.h"
+#include "core/describe/fill_text.h"
+#include "core/describe/text.h"
 #include "core/review/rule/rule_names.h"
 
 namespace noonmark {
@@ -11,11 +14,12 @@ namespace noonmark {
 namespace {
 
 std::string formatMinutes(double value) {
-    if (value < 60) return fmt::format("{:.4g} min", value);
+    if (value < 60) return localNumbers(fmt::format("{:.4g}", value)) + " min";
     const double minutes = std::round(value * 10) / 10;
     const double hours = std::floor(minutes / 60);
     return minutes == hours * 60 ? fmt::format("{:.0f} h", hours)
-                                 : fmt::format("{:.0f} h {:.4g} min", hours, minutes - hours * 60);
+                                 : fmt::format("{:.0f} h {} min", hours,
+                                               localNumbers(fmt::format("{:.4g}", minutes - hours * 60)));
 }
 
 }  // namespace
@@ -24,10 +28,10 @@ std::string formatMeasured(Measure measure, double value, UnitSystem units) {
     switch (measure) {
         case Measure::share:
         case Measure::largestShare:
-            return fmt::format("{:.1f} %", value * 100);
+            return localNumbers(fmt::format("{:.1f} %", value * 100));
         case Measure::skyComponent:
         case Measure::probableSun:
-            return fmt::format("{:.1f} %", value);
+            return localNumbers(fmt::format("{:.1f} %", value));
         case Measure::areaOver:
         case Measure::largestArea:
             return formatSmallArea(value, units);
@@ -39,37 +43,43 @@ std::string formatMeasured(Measure measure, double value, UnitSystem units) {
 }
 
 std::string describeLimit(const Criterion& criterion, const Limit& limit, UnitSystem units) {
-    const std::string value = limit.ofFormer && !limit.isLoss
-                                  ? fmt::format("{:g} x former", limit.value)
-                                  : formatMeasured(criterion.measure, limit.value, units);
+    const std::string value =
+        limit.ofFormer && !limit.isLoss
+            ? fillText(NM_TEXT("%1 x former"), {localNumbers(fmt::format("{:g}", limit.value))})
+            : formatMeasured(criterion.measure, limit.value, units);
     if (limit.isLoss)
-        return fmt::format("loss {} {}", ruleNameOf(comparisonNames(), limit.comparison), value);
+        return fillText(NM_TEXT("loss %1"),
+                        {fmt::format("{} {}", ruleNameOf(comparisonNames(), limit.comparison), value)});
     return fmt::format("{} {}", ruleNameOf(comparisonNames(), limit.comparison), value);
 }
 
 std::string describeLimits(const Criterion& criterion, UnitSystem units) {
     std::string text;
     for (const Limit& limit : criterion.limits)
-        text += fmt::format("{}{}", text.empty() ? "" : " or ", describeLimit(criterion, limit, units));
+        text = text.empty() ? describeLimit(criterion, limit, units)
+                            : fillText(NM_TEXT("%1 or %2"), {text, describeLimit(criterion, limit, units)});
     return text;
 }
 
 std::string describeResult(const Criterion& criterion, const CriterionResult& result, UnitSystem units) {
-    std::string text =
-        fmt::format("{}: {}", criterion.name, formatMeasured(criterion.measure, result.value->value, units));
+    std::string text = fmt::format("{}: {}", localRuleText(criterion.name),
+                                   formatMeasured(criterion.measure, result.value->value, units));
     if (result.former)
-        text += fmt::format(" (former {})", formatMeasured(criterion.measure, result.former->value, units));
-    if (result.day) text += fmt::format(" on {}", formatText(*result.day));
-    return text + ", wanted " + describeLimits(criterion, units);
+        text += fillText(NM_TEXT(" (former %1)"),
+                         {formatMeasured(criterion.measure, result.former->value, units)});
+    if (result.day)
+        text += fillText(NM_TEXT(" on %1"),
+                         {isEnglishInUse() ? formatText(*result.day) : wordingInUse().date(*result.day)});
+    return text + fillText(NM_TEXT(", wanted %1"), {describeLimits(criterion, units)});
 }
 
 std::string_view nameVerdict(const PlaceReview& review) {
-    if (review.reasonNotJudged == noLimitForPlace) return "figures only";
+    if (review.reasonNotJudged == noLimitForPlace) return NM_TEXT("figures only");
     return nameOf(review.verdict);
 }
 
 std::string describeReason(const PlaceReview& review, UnitSystem units) {
-    if (!review.deciding) return review.reasonNotJudged;
+    if (!review.deciding) return localText(review.reasonNotJudged);
     return describeResult(review.criteria[*review.deciding], review.results[*review.deciding], units);
 }
 

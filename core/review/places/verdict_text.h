@@ -4,17 +4,18 @@
 #include <string_view>
 
 #include "core/base/units.h"
+#include "core/describe/text.h"
 #include "core/review/places/place_review.h"
 
 namespace noonmark {
 
 /// Why nothing is judged where the sun is never up in a rule's hours: of places and windows alike.
-inline constexpr std::string_view noSunInHours = "No sun in these hours";
+inline constexpr std::string_view noSunInHours = NM_TEXT("No sun in these hours");
 /// Why nothing is judged where a rule only asks for figures.
-inline constexpr std::string_view noLimitForPlace = "The rule states no limit for this place";
+inline constexpr std::string_view noLimitForPlace = NM_TEXT("The rule states no limit for this place");
 
 /// "2 h 15 min", "62.0 %", "1,204 m²": a value of a criterion for people. Areas are not rounded to hectares
-/// or acres: a verdict may hang on them.
+/// or acres: a verdict may hang on them. These texts are in the language of the WordingScope around the call.
 std::string formatMeasured(Measure measure, double value, UnitSystem units = UnitSystem::metric);
 
 /// "<= 1 h"; ">= 0.8 x former" or "loss <= 4.0 %" for a limit relative to the baseline.

@@ -4,6 +4,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/wording.h"
+#include "core/describe/fill_text.h"
+#include "core/describe/text.h"
 #include "core/sun/civil_time.h"
 
 namespace noonmark {
@@ -18,39 +21,41 @@ RuleNames<FigureStatus> figureStatusNames() {
 
 RuleNames<DayCombination> combinationNames() {
     using enum DayCombination;
-    static constexpr std::array names{
-        std::pair{every, std::string_view{"every"}}, std::pair{average, std::string_view{"average"}},
-        std::pair{chosen, std::string_view{"chosen"}}, std::pair{sum, std::string_view{"sum"}}};
+    static constexpr std::array names{std::pair{every, std::string_view{NM_TEXT("every")}},
+                                      std::pair{average, std::string_view{NM_TEXT("average")}},
+                                      std::pair{chosen, std::string_view{NM_TEXT("chosen")}},
+                                      std::pair{sum, std::string_view{NM_TEXT("sum")}}};
     return names;
 }
 
 RuleNames<ClockKind> clockNames() {
     using enum ClockKind;
-    static constexpr std::array names{
-        std::pair{civil, std::string_view{"civil"}}, std::pair{standard, std::string_view{"standard"}},
-        std::pair{fixed, std::string_view{"fixed"}}, std::pair{trueSolar, std::string_view{"true solar"}}};
+    static constexpr std::array names{std::pair{civil, std::string_view{NM_TEXT("civil")}},
+                                      std::pair{standard, std::string_view{NM_TEXT("standard")}},
+                                      std::pair{fixed, std::string_view{NM_TEXT("fixed")}},
+                                      std::pair{trueSolar, std::string_view{NM_TEXT("true solar")}}};
     return names;
 }
 
 RuleNames<SunriseRule> sunriseNames() {
     using enum SunriseRule;
-    static constexpr std::array names{std::pair{upperLimb, std::string_view{"upper limb"}},
-                                      std::pair{centre, std::string_view{"centre"}}};
+    static constexpr std::array names{std::pair{upperLimb, std::string_view{NM_TEXT("upper limb")}},
+                                      std::pair{centre, std::string_view{NM_TEXT("centre")}}};
     return names;
 }
 
 RuleNames<RuleSurface> surfaceNames() {
     using enum RuleSurface;
-    static constexpr std::array names{std::pair{ground, std::string_view{"ground"}},
-                                      std::pair{plane, std::string_view{"plane"}},
-                                      std::pair{windows, std::string_view{"windows"}}};
+    static constexpr std::array names{std::pair{ground, std::string_view{NM_TEXT("ground")}},
+                                      std::pair{plane, std::string_view{NM_TEXT("plane")}},
+                                      std::pair{windows, std::string_view{NM_TEXT("windows")}}};
     return names;
 }
 
 RuleNames<RuleCasters> casterNames() {
     using enum RuleCasters;
-    static constexpr std::array names{std::pair{everything, std::string_view{"everything"}},
-                                      std::pair{proposal, std::string_view{"proposal"}}};
+    static constexpr std::array names{std::pair{everything, std::string_view{NM_TEXT("everything")}},
+                                      std::pair{proposal, std::string_view{NM_TEXT("proposal")}}};
     return names;
 }
 
@@ -68,9 +73,9 @@ RuleNames<RuleTrees> ruleTreesNames() {
 
 RuleNames<BaselineKind> baselineNames() {
     using enum BaselineKind;
-    static constexpr std::array names{std::pair{existing, std::string_view{"existing"}},
-                                      std::pair{noAction, std::string_view{"no action"}},
-                                      std::pair{referenceBody, std::string_view{"reference body"}}};
+    static constexpr std::array names{std::pair{existing, std::string_view{NM_TEXT("existing")}},
+                                      std::pair{noAction, std::string_view{NM_TEXT("no action")}},
+                                      std::pair{referenceBody, std::string_view{NM_TEXT("reference body")}}};
     return names;
 }
 
@@ -117,34 +122,34 @@ RuleNames<LineBelt> beltNames() {
 
 RuleNames<PanePlace> panePlaceNames() {
     using enum PanePlace;
-    static constexpr std::array names{std::pair{middle, std::string_view{"mid pane"}},
-                                      std::pair{sillMiddle, std::string_view{"sill middle"}},
-                                      std::pair{sillEnds, std::string_view{"sill ends"}}};
+    static constexpr std::array names{std::pair{middle, std::string_view{NM_TEXT("mid pane")}},
+                                      std::pair{sillMiddle, std::string_view{NM_TEXT("sill middle")}},
+                                      std::pair{sillEnds, std::string_view{NM_TEXT("sill ends")}}};
     return names;
 }
 
 RuleNames<bool> faceNames() {
-    static constexpr std::array names{std::pair{false, std::string_view{"outside"}},
-                                      std::pair{true, std::string_view{"inside"}}};
+    static constexpr std::array names{std::pair{false, std::string_view{NM_TEXT("outside")}},
+                                      std::pair{true, std::string_view{NM_TEXT("inside")}}};
     return names;
 }
 
 RuleNames<GlazingUnit> unitNames() {
     using enum GlazingUnit;
-    static constexpr std::array names{std::pair{window, std::string_view{"window"}},
-                                      std::pair{room, std::string_view{"room"}},
-                                      std::pair{dwelling, std::string_view{"dwelling"}}};
+    static constexpr std::array names{std::pair{window, std::string_view{NM_TEXT("window")}},
+                                      std::pair{room, std::string_view{NM_TEXT("room")}},
+                                      std::pair{dwelling, std::string_view{NM_TEXT("dwelling")}}};
     return names;
 }
 
 std::string_view meaningOf(FigureStatus status) {
     switch (status) {
         case FigureStatus::verified:
-            return "read in the rule's text or on an official page";
+            return NM_TEXT("read in the rule's text or on an official page");
         case FigureStatus::reported:
-            return "reported by practice";
+            return NM_TEXT("reported by practice");
         case FigureStatus::unconfirmed:
-            return "not checked against the rule's text";
+            return NM_TEXT("not checked against the rule's text");
     }
     return {};
 }
@@ -152,17 +157,17 @@ std::string_view meaningOf(FigureStatus status) {
 std::string_view describe(RuleTrees counted) {
     switch (counted) {
         case RuleTrees::without:
-            return "none counted";
+            return NM_TEXT("none counted");
         case RuleTrees::evergreens:
-            return "evergreen trees only";
+            return NM_TEXT("evergreen trees only");
         case RuleTrees::evergreenBelts:
-            return "dense belts of evergreen trees only";
+            return NM_TEXT("dense belts of evergreen trees only");
         case RuleTrees::asEvergreens:
-            return "all, as evergreens";
+            return NM_TEXT("all, as evergreens");
         case RuleTrees::seasonal:
-            return "all, with their seasons";
+            return NM_TEXT("all, with their seasons");
         case RuleTrees::existingAndEvergreens:
-            return "existing trees with their seasons, and new evergreens";
+            return NM_TEXT("existing trees with their seasons, and new evergreens");
     }
     return {};
 }
@@ -255,11 +260,13 @@ std::string formatText(const HoursBound& bound) {
     const std::string offset = bound.minutes == 0 ? ""
                                : halfHours        ? fmt::format("{:+g}h", bound.minutes / 60)
                                                   : fmt::format("{:+g}m", bound.minutes);
-    return (bound.kind == HoursBound::Kind::sunrise ? "sunrise" : "sunset") + offset;
+    return localText(bound.kind == HoursBound::Kind::sunrise ? NM_TEXT("sunrise") : NM_TEXT("sunset")) +
+           localNumbers(offset);
 }
 
 std::string formatText(const HoursOfDay& hours) {
-    return joinBounds(hours.from, "the latest of") + " to " + joinBounds(hours.to, "the earliest of");
+    return fillText(NM_TEXT("%1 to %2"), {joinBounds(hours.from, localText(NM_TEXT("the latest of"))),
+                                          joinBounds(hours.to, localText(NM_TEXT("the earliest of")))});
 }
 
 }  // namespace noonmark

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "core/base/safe_text.h"
+#include "core/base/wording.h"
 #include "core/describe/figure_text.h"
+#include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
 
 namespace noonmark {
@@ -40,10 +42,13 @@ std::string describeSample(const Study& study, const SampledError& error) {
 std::string whyNoError(const Study& study) {
     if (study.error) return {};
     if (study.byReference())
-        return "The engine is the ray reference itself, against which others are measured.";
+        return localText(
+            NM_TEXT("The engine is the ray reference itself, against which others are measured."));
     if (study.settings.errorSample.receivers == 0)
-        return "The engine's error against the ray reference was not measured: it was switched off.";
-    return "The engine's error against the ray reference could not be measured: see the warnings.";
+        return localText(
+            NM_TEXT("The engine's error against the ray reference was not measured: it was switched off."));
+    return localText(
+        NM_TEXT("The engine's error against the ray reference could not be measured: see the warnings."));
 }
 
 std::vector<ErrorLine> makeErrorLines(const Study& study) {

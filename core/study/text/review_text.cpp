@@ -9,7 +9,10 @@
 #include "core/base/csv_text.h"
 #include "core/base/json_number.h"
 #include "core/base/version.h"
+#include "core/base/wording.h"
 #include "core/describe/figure_text.h"
+#include "core/describe/fill_text.h"
+#include "core/describe/text.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/places/review_columns.h"
 #include "core/review/places/verdict_text.h"
@@ -163,22 +166,24 @@ Json contributionsJson(const ReviewStudy& study) {
 }  // namespace
 
 std::string describeReviewErrors(const ReviewStudy& study) {
-    std::string text =
+    const auto number = [](double value) { return localNumbers(fmt::format("{:.3g}", value)); };
+    std::string text = localText(NM_TEXT(
         "Each run of minutes is uncertain by a step; each area by half of the cells that its edge passes "
         "through, at least by one; each area x hours by these and by half of what the area changes from step "
-        "to step, where the days of a sum err independently of each other. ";
-    text += study.spotDistanceM
-                ? fmt::format(
-                      "Worst spots are the worst of the cells' centres and of points around these, down "
-                      "to {:.3g} m from each other; what the nearest found worse is in their error. ",
-                      *study.spotDistanceM)
-                : "Worst spots are the worst of the cells' centres, and their error includes the cell. ";
-    text += fmt::format(
-        "Shadow enters and exits up to a step ({:.3g} min) earlier than stated, as each step has the sun of "
-        "its "
-        "beginning. ",
-        study.stepMinutes);
-    return text + "A value within its error of a limit is borderline, never pass.";
+        "to step, where the days of a sum err independently of each other. "));
+    text +=
+        study.spotDistanceM
+            ? fillText(NM_TEXT("Worst spots are the worst of the cells' centres and of points around these, "
+                               "down to %1 m from each other; what the nearest found worse is in their "
+                               "error. "),
+                       {number(*study.spotDistanceM)})
+            : localText(NM_TEXT("Worst spots are the worst of the cells' centres, and their error includes "
+                                "the cell. "));
+    text +=
+        fillText(NM_TEXT("Shadow enters and exits up to a step (%1 min) earlier than stated, as each step "
+                         "has the sun of its beginning. "),
+                 {number(study.stepMinutes)});
+    return text + localText(NM_TEXT("A value within its error of a limit is borderline, never pass."));
 }
 
 Json reviewJson(const ReviewStudy& study, const ReviewLabels& labels) {

@@ -6,13 +6,13 @@
 #include <QDialogButtonBox>
 #include <QPushButton>
 
-#include "app/gui/base/looks/language.h"
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/sheets/sheet_form.h"
 #include "app/gui/frame/help/start_page.h"
 #include "app/gui/frame/preferences/preferences_dialog.h"
+#include "app/language/language.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

@@ -10,13 +10,13 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/gui/base/looks/language.h"
 #include "app/gui/base/looks/units.h"
 #include "app/gui/docks/study_form/accuracy_section.h"
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/docks/study_form/when_form.h"
 #include "app/gui/session/study/run_estimate.h"
 #include "app/gui/session/study/study_document.h"
+#include "app/language/language.h"
 #include "core/review/library/rule_library.h"
 #include "tests/gui/small_city.h"
 #include "tests/gui/wait_for.h"

@@ -15,14 +15,17 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/gui/base/looks/language.h"
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/study/region_text.h"
 #include "app/input/all_engines.h"
+#include "app/language/language.h"
+#include "app/report/maps/answer_legends.h"
+#include "core/measures/shadow_figures.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/review/library/rule_library.h"
+#include "scenarios/weights/score_text.h"
 #include "tests/gui/answers_window.h"
 #include "tests/gui/translation_messages.h"
 
@@ -141,9 +144,10 @@ TEST_F(Languages, ChoicesOfCoreAreTranslated) {
         EXPECT_NE(noonmark::translated(choice.label), QString::fromUtf8(choice.label.data())) << choice.label;
 }
 
-// Texts of the marks NM_TEXT("...") in a source, without quotes within them.
+// Texts of the marks NM_TEXT("...") and sheetText("...") in a source, without quotes within them.
 QStringList markedTexts(const QString& source) {
-    static const QRegularExpression mark(QStringLiteral(R"re(NM_TEXT\(\s*((?:"[^"\\]*"\s*)+)\))re")),
+    static const QRegularExpression mark(
+        QStringLiteral(R"re((?:NM_TEXT|sheetText)\(\s*((?:"[^"\\]*"\s*)+)\))re")),
         part(QStringLiteral(R"re("([^"\\]*)")re"));
     QStringList texts;
     for (auto at = mark.globalMatch(source); at.hasNext();) {
@@ -172,7 +176,7 @@ TEST_F(Languages, WhatCoreMarksIsAmongTheMessages) {
                     << file.fileName().toStdString() << ": " << text.toStdString();
             }
         }
-    EXPECT_GT(marks, 600);
+    EXPECT_GT(marks, 1000);
 }
 
 TEST_F(Languages, MarksWithinClassesAreFound) {
@@ -198,16 +202,73 @@ TEST_F(Languages, NamesThatTheProgramGivesAreTranslatedAndThoseOfUsersStay) {
     EXPECT_EQ(ruleName("Rule of our town"), QStringLiteral("Rule of our town"));
 }
 
-TEST_F(Languages, RulesTheirPlacesAndCountriesAreTranslated) {
-    QSet<QString> known;
-    for (const Message& message : readMessages(Language::german)) known.insert(message.source);
-    const RuleLibrary library = RuleLibrary::load().value();
-    for (const RuleGroup& group : groupByCountry(library.rules(), {})) {
-        EXPECT_TRUE(known.contains(QString::fromStdString(group.name))) << group.name;
-        for (const Rule* rule : group.rules)
-            for (const std::string& text : {rule->name, rule->where})
-                EXPECT_TRUE(known.contains(QString::fromStdString(text))) << text;
+/// What a person reads of a rule.
+std::vector<std::string> textsOfRule(const Rule& rule) {
+    std::vector<std::string> texts{rule.name, rule.where, rule.summary};
+    const auto add = [&](const std::vector<std::string>& more) {
+        texts.insert(texts.end(), more.begin(), more.end());
+    };
+    for (const Criterion& criterion : rule.criteria) texts.push_back(criterion.name);
+    for (const RuleColumn& column : rule.deliverables.columns) texts.push_back(column.title);
+    for (const StatedFigure& figure : rule.figures) texts.push_back(figure.text);
+    for (const UnitShare& share : rule.shares) texts.push_back(share.name);
+    for (const RuleDay& day : rule.days.fixed) texts.push_back(day.label);
+    for (const auto& [choice, options] : rule.choices) {
+        texts.push_back(choice);
+        add(options);
     }
+    add(rule.readings);
+    add(rule.notChecked);
+    std::erase(texts, std::string());
+    return texts;
+}
+
+QSet<QString> sourcesIn(const QString& context) {
+    QSet<QString> sources;
+    for (const Message& message : readMessages(Language::german))
+        if (context.isEmpty() || message.context == context) sources.insert(message.source);
+    return sources;
+}
+
+TEST_F(Languages, AllThatAPersonReadsOfRulesIsOfferedForTranslation) {
+    const QSet<QString> known = sourcesIn(QStringLiteral("Rule"));
+    const RuleLibrary library = RuleLibrary::load().value();
+    int texts = 0;
+    for (const RuleGroup& group : groupByCountry(library.rules(), {})) {
+        if (group.name != anyCountry) {
+            EXPECT_TRUE(known.contains(QString::fromStdString(group.name))) << group.name;
+        }
+        for (const Rule* rule : group.rules)
+            for (const std::string& text : textsOfRule(*rule)) {
+                ++texts;
+                EXPECT_TRUE(known.contains(QString::fromStdString(text))) << rule->key << ": " << text;
+            }
+    }
+    EXPECT_GT(texts, 300);
+}
+
+TEST_F(Languages, FiguresLegendsAndVerdictsAreOfferedForTranslation) {
+    const QSet<QString> known = sourcesIn({});
+    const auto expectKnown = [&](const QString& text) {
+        EXPECT_TRUE(text.isEmpty() || known.contains(text)) << text.toStdString();
+    };
+    for (const auto& figures : {shadowFigures().rows(), scoreFigures().rows(), scoreMonthFigures().rows()})
+        for (const Figure& figure : figures) {
+            expectKnown(QString::fromUtf8(figure.label.data(), qsizetype(figure.label.size())));
+            expectKnown(QString::fromUtf8(figure.definition.data(), qsizetype(figure.definition.size())));
+        }
+    for (const ShadowMeasure measure : {ShadowMeasure::gross, ShadowMeasure::continuous})
+        for (const ShownAs show : {ShownAs::shadow, ShownAs::sun, ShownAs::share}) {
+            const Legend legend = makeLegend(measure, {.show = show}, 600, 600, {});
+            expectKnown(legend.title);
+            expectKnown(legend.unit);
+        }
+    for (const HeightSourceColour& source : heightSourceColours())
+        expectKnown(QString::fromStdString(std::string(source.label)));
+    for (const PlaceKind kind : placeKinds) expectKnown(QString::fromStdString(std::string(nameOf(kind))));
+    for (const Verdict verdict :
+         {Verdict::pass, Verdict::borderline, Verdict::fail, Verdict::notApplicable, Verdict::notChecked})
+        expectKnown(QString::fromStdString(std::string(nameOf(verdict))));
 }
 
 TEST_F(Languages, PeriodsAreStatedInTheLanguageAlsoWhereTheyWereSaved) {

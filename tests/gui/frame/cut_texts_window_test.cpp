@@ -13,8 +13,8 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/gui/base/looks/language.h"
 #include "app/gui/frame/window_layout.h"
+#include "app/language/language.h"
 #include "tests/gui/answers_window.h"
 
 namespace noonmark {

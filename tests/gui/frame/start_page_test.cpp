@@ -14,9 +14,9 @@
 #include <QToolBar>
 #include <cstdlib>
 
-#include "app/gui/base/looks/language.h"
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/docks/study_form/study_dock.h"
+#include "app/language/language.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

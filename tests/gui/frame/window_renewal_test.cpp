@@ -15,13 +15,15 @@
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QTextEdit>
 #include <QUndoStack>
 
-#include "app/gui/base/looks/language.h"
 #include "app/gui/base/looks/units.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/frame/main_window.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "app/language/language.h"
 #include "tests/gui/small_project.h"
 #include "tests/gui/wait_for.h"
 
@@ -173,6 +175,34 @@ TEST_F(RenewalTest, AResultStaysShown) {
     choose(Language::german, UnitSystem::metric);
     EXPECT_TRUE(window().workbench().answer());
     EXPECT_TRUE(window().panel().results().showsAnswer() || window().mode().mode() == ViewMode::exploration);
+}
+
+TEST_F(RenewalTest, RulesAreInTheNewLanguageAtOnce) {
+    const auto choose = [&](const char* rule) {
+        ReviewChoice choice = window().review().choice();
+        choice.rule = rule;
+        choice.options.clear();
+        window().review().choose(choice);
+    };
+    const auto option = [&] {
+        const auto* list = window().findChild<QComboBox*>(QStringLiteral("reviewOption"));
+        return list == nullptr ? QStringList() : QStringList{list->itemText(1), list->itemData(1).toString()};
+    };
+    choose("en-17037");
+    ASSERT_TRUE(waitFor([&] { return !option().isEmpty(); }));
+    EXPECT_EQ(option()[0], option()[1]);
+    this->choose(Language::german, UnitSystem::metric);
+    ASSERT_TRUE(waitFor([&] { return !option().isEmpty(); }));
+    EXPECT_NE(option()[0], option()[1]) << "the key stays, the option is translated";
+    EXPECT_EQ(option()[0], ruleName(option()[1].toStdString()));
+    const auto rule = window().review().rule();
+    ASSERT_TRUE(rule);
+    const QString criterion = ruleName(rule->criteria.front().name);
+    EXPECT_NE(criterion, QString::fromStdString(rule->criteria.front().name));
+    QString shown;
+    for (const QTextEdit* text : window().findChildren<QTextEdit*>()) shown += text->toPlainText();
+    EXPECT_TRUE(shown.contains(criterion)) << shown.left(2000).toStdString();
+    EXPECT_TRUE(shown.contains(ruleName(rule->summary)));
 }
 
 TEST_F(RenewalTest, TheVerdictsOfAReviewStay) {

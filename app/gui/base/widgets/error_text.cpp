@@ -4,13 +4,8 @@
 #include <QObject>
 #include <QStringList>
 #include <algorithm>
-#include <mutex>
-#include <unordered_map>
-#include <utility>
 
-#include "app/gui/base/looks/language.h"
 #include "core/base/safe_text.h"
-#include "generated/translation_contexts.h"
 
 namespace noonmark {
 
@@ -23,45 +18,6 @@ namespace {
     QT_TRANSLATE_NOOP("noonmark", "assumed"),  QT_TRANSLATE_NOOP("noonmark", "duplicates")};
 
 }  // namespace
-
-namespace {
-
-QString findTranslated(const std::string& source) {
-    const QString english = QString::fromStdString(source);
-    for (const char* context : translationContexts)
-        if (QString found = QCoreApplication::translate(context, source.c_str()); found != english)
-            return found;
-    return english;
-}
-
-/// A text is looked for in all contexts, and one that is its own translation in vain: tables ask for the same
-/// names at each comparison of two rows.
-struct KnownTexts {
-    static constexpr std::size_t maxTexts = 100'000;
-    std::mutex mutex;
-    std::unordered_map<std::string, QString> texts;
-    int languageChanges = 0;
-};
-
-KnownTexts& knownTexts() {
-    static KnownTexts known;
-    return known;
-}
-
-}  // namespace
-
-QString translated(std::string_view text) {
-    if (text.empty()) return {};
-    std::string source(text);
-    KnownTexts& known = knownTexts();
-    const std::scoped_lock lock(known.mutex);
-    const bool isOtherLanguage =
-        std::exchange(known.languageChanges, countLanguageChanges()) != countLanguageChanges();
-    if (isOtherLanguage || known.texts.size() >= KnownTexts::maxTexts) known.texts.clear();
-    if (const auto found = known.texts.find(source); found != known.texts.end()) return found->second;
-    QString found = findTranslated(source);
-    return known.texts.emplace(std::move(source), std::move(found)).first->second;
-}
 
 Error noCityError() {
     return {QT_TRANSLATE_NOOP("Error", "No city is open"),

@@ -6,17 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "app/language/translated_text.h"
 #include "core/base/result.h"
 #include "core/base/warnings.h"
 
 namespace noonmark {
 
-/// A text that core marks by NM_TEXT, in the user's language. lupdate puts it into the context of the class
-/// around the mark; of several translations that of a free function comes first.
-/// What was found is remembered until the language changes (noteLanguageChange()).
-QString translated(std::string_view text);
-
-/// The same as a sentence of its own: with a capital, and the sign of multiplication for an x.
+/// translated() as a sentence of its own: with a capital, and the sign of multiplication for an x.
 inline QString translatedSentence(std::string_view text) {
     QString sentence = translated(text);
     if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();

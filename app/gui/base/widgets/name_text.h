@@ -14,7 +14,7 @@ QString scenarioName(const std::string& name);
 /// A weight table or an interval of one: "default", "January".
 QString weightName(const std::string& name);
 
-/// A rule's name, its place or its country.
+/// A text of a rule file: its name, place, summary, a criterion, an option...; or its country.
 QString ruleName(std::string_view name);
 
 struct Contribution;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/gui/base/looks/units.h"
+#include "app/language/translated_text.h"
 #include "core/city/city.h"
 #include "core/geo/frame.h"
 
@@ -54,21 +55,7 @@ QString describeSmallArea(double squareMetres) {
     return localiseNumbers(QString::fromStdString(formatSmallArea(squareMetres, unitsInUse())));
 }
 
-QString localiseNumbers(const QString& text) {
-    static const QRegularExpression number(
-        QStringLiteral("(?<![\\w.,])(\\d{1,3}(?:,\\d{3})+|\\d+)(\\.\\d+)?(?![\\w.]*\\d)"));
-    QString local;
-    qsizetype at = 0;
-    for (auto found = number.globalMatch(text); found.hasNext();) {
-        const QRegularExpressionMatch match = found.next();
-        const QString point = match.captured(2).isEmpty() ? QString() : QLocale().decimalPoint();
-        local += text.mid(at, match.capturedStart() - at);
-        local += match.captured(1).replace(QLatin1Char(','), QLocale().groupSeparator()) + point +
-                 match.captured(2).mid(1);
-        at = match.capturedEnd();
-    }
-    return local + text.mid(at);
-}
+QString localiseNumbers(const QString& text) { return localiseNumbers(text, QLocale()); }
 
 double computeElevation(const City& city, glm::dvec3 local) {
     const double dropM = city.terrain ? earthDropM({local.x, local.y}) : 0;

@@ -15,6 +15,7 @@
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/study/region_text.h"
 #include "app/report/charts/chart_axes.h"
+#include "app/report/maps/sheet_text.h"
 
 namespace noonmark {
 
@@ -51,6 +52,7 @@ double ChartWidget::point() const { return logicalDpiY() / pointsPerInch; }
 QRectF ChartWidget::area() const { return QRectF(rect()).adjusted(2, 4, -4, -2); }
 
 void ChartWidget::paintEvent(QPaintEvent* /*event*/) {
+    const SheetScope words;
     QPainter painter(this);
     const Inks inks = inksOf(themeInUse());
     painter.fillRect(rect(), inks.paper);
@@ -150,6 +152,7 @@ void DayPanel::setUnits(UnitSystem units) {
 }
 
 void DayPanel::draw() {
+    const SheetScope words;
     chart_ = makeTimelineChart(shown_->day, shown_->stepMinutes, shown_->clock, units_);
     times_ = tr("%1 (%2).")
                  .arg(describeIncremental(shown_->day, shown_->clock, units_),
@@ -159,6 +162,7 @@ void DayPanel::draw() {
 }
 
 void DayPanel::read(QPointF at) {
+    const SheetScope words;
     const auto sample = findSampleAt(widget_->area(), widget_->point(), chart_, at);
     reading_->setText(sample ? describeSample(chart_, *sample) : times_);
 }
@@ -250,6 +254,7 @@ void RangePanel::draw() {
 }
 
 void RangePanel::drawBars() {
+    const SheetScope words;
     carpet_ = {};
     bars_ = makeMonthBars(answer_->study.places[review_], units_);
     resetReading();
@@ -261,6 +266,7 @@ void RangePanel::setUnits(UnitSystem units) {
 }
 
 void RangePanel::read(QPointF at) {
+    const SheetScope words;
     if (const auto cell = cellAt(at)) return reading_->setText(describeCell(carpet_, *cell));
     const auto group = findGroupAt(widget_->area(), widget_->point(), bars_, at);
     group ? reading_->setText(describeGroup(bars_, *group)) : resetReading();

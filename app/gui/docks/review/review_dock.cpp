@@ -60,7 +60,7 @@ QString listOf(const QString& title, const std::vector<std::string>& texts) {
     if (texts.empty()) return {};
     QString html = QStringLiteral("<h4>%1</h4><ul>").arg(title);
     for (const std::string& text : texts)
-        html += QStringLiteral("<li>%1</li>").arg(QString::fromStdString(text).toHtmlEscaped());
+        html += QStringLiteral("<li>%1</li>").arg(ruleName(text).toHtmlEscaped());
     return html + QStringLiteral("</ul>");
 }
 
@@ -284,7 +284,7 @@ void ReviewDock::showDetails() {
     if (!answer_ || !chosenDay_) return;
     const PlaceReview& place = answer_->study.places[chosen_];
     QString text = tr("%1: %2.").arg(placeName(place.name),
-                                     localiseNumbers(QString::fromStdString(describeReason(place, units_))));
+                                     inWindowWords([&] { return describeReason(place, units_); }));
     if (!hasFewDays(answer_->question.rule)) text += u' ' + describeSums(place.totals, units_);
     details_->setText(text);
 }
@@ -307,25 +307,28 @@ void ReviewDock::showChart() {
 void ReviewDock::showRule() {
     const auto rule = review_.rule();
     if (!rule) return about_->setPlainText(describeError(rule.error()));
-    QString html =
-        QStringLiteral("<h3>%1</h3><p>%2</p><p><b>%3</b></p>")
-            .arg(ruleName(rule->name).toHtmlEscaped(), QString::fromStdString(rule->summary).toHtmlEscaped(),
-                 describeStatus(*rule).toHtmlEscaped());
+    QString html = QStringLiteral("<h3>%1</h3><p>%2</p><p><b>%3</b></p>")
+                       .arg(ruleName(rule->name).toHtmlEscaped(), ruleName(rule->summary).toHtmlEscaped(),
+                            describeStatus(*rule).toHtmlEscaped());
     const bool same = answer_ && answer_->study.rule.key == rule->key;
     const bool ofGlazing = glazingAnswer_ && glazingAnswer_->study.rule.key == rule->key;
     html += listOf(tr("Not checked"), same        ? answer_->study.notChecked
                                       : ofGlazing ? glazingAnswer_->study.notChecked
                                                   : rule->notChecked);
     html += listOf(tr("How Noonmark reads what the rule leaves open"), rule->readings);
-    const std::string trees = same        ? answer_->study.trees
-                              : ofGlazing ? glazingAnswer_->study.trees
-                                          : describeCountedTrees(rule->occluders.trees);
+    // What an answer states is English, with the trees of its city.
+    const bool isEnglish = languageInUse() == Language::english;
+    const std::string trees =
+        same && isEnglish ? answer_->study.trees
+        : ofGlazing && isEnglish
+            ? glazingAnswer_->study.trees
+            : inWindowWords([&] { return describeCountedTrees(rule->occluders.trees); }).toStdString();
     html += QStringLiteral("<p>%1</p>").arg(QString::fromStdString(trees).toHtmlEscaped());
     if (same)
         html += tr("<p>%1, steps of %2 min, cells of %3 m, %4, %5</p>")
                     .arg(QString::fromStdString(answer_->study.engine))
-                    .arg(answer_->study.stepMinutes)
-                    .arg(answer_->study.settings.cellM)
+                    .arg(formatAmount(answer_->study.stepMinutes, 3))
+                    .arg(formatAmount(answer_->study.settings.cellM, 3))
                     .arg(QString::fromStdString(answer_->study.clock).toHtmlEscaped())
                     .arg(answer_->study.year);
     std::vector<std::string> leftOut;
@@ -333,8 +336,9 @@ void ReviewDock::showRule() {
         leftOut.push_back(describeWarningWithPlaces(group).toStdString());
     html += listOf(tr("Rule files that are left out"), leftOut);
     html += tr("<h4>Figures with status and source</h4>") +
-            QStringLiteral("<pre style=\"white-space:pre-wrap\">%1</pre>")
-                .arg(QString::fromStdString(describeRule(*rule)).toHtmlEscaped());
+            QStringLiteral("<pre style=\"white-space:pre-wrap\">%1</pre>").arg(inWindowWords([&] {
+                                                                                   return describeRule(*rule);
+                                                                               }).toHtmlEscaped());
     if (html != about_->property("shown").toString()) about_->setHtml(html);
     about_->setProperty("shown", html);
 }

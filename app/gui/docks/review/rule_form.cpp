@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/name_text.h"
 #include "app/gui/docks/review/verdict_table.h"
 #include "core/review/rule/rule_names.h"
@@ -18,7 +19,7 @@ QString qtText(std::string_view text) { return QString::fromUtf8(text.data(), qs
 
 QString tipOf(const Rule& rule) {
     return QStringLiteral("<p><b>%1</b></p><p>%2</p><p>%3</p><p>%4</p>")
-        .arg(ruleName(rule.where).toHtmlEscaped(), qtText(rule.summary).toHtmlEscaped(),
+        .arg(ruleName(rule.where).toHtmlEscaped(), ruleName(rule.summary).toHtmlEscaped(),
              describeStatus(rule).toHtmlEscaped(), qtText(rule.source).toHtmlEscaped());
 }
 
@@ -84,7 +85,7 @@ void RuleForm::show(const ReviewChoice& choice, const std::vector<Scenario>& sce
     if (!rule) return;
     showOptions(*rule);
     from_->setToolTip(tr("What the proposal is compared with. The rule asks for: %1")
-                          .arg(qtText(ruleNameOf(baselineNames(), rule->baseline.kind))));
+                          .arg(translated(ruleNameOf(baselineNames(), rule->baseline.kind))));
 }
 
 void RuleForm::showScenarios(const std::vector<Scenario>& scenarios, const std::string& displayed) {
@@ -104,8 +105,8 @@ void RuleForm::showOptions(const Rule& rule) {
         lists_.clear();
         for (const auto& [choice, options] : rule.choices) {
             QComboBox* list = makeList("reviewOption");
-            for (const std::string& option : options) list->addItem(qtText(option), qtText(option));
-            QString title = qtText(choice);
+            for (const std::string& option : options) list->addItem(ruleName(option), qtText(option));
+            QString title = ruleName(choice);
             title[0] = title[0].toUpper();
             options_->addRow(title, list);
             lists_[choice] = list;

@@ -11,6 +11,8 @@
 #include <numeric>
 
 #include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/review/review_cache.h"
 #include "app/gui/session/answers/result_rows.h"
@@ -112,7 +114,7 @@ QString describeStatus(const Rule& rule) {
     names.removeDuplicates();
     return QObject::tr("Least sure: %1 (%2, %3)")
         .arg(names.join(QStringLiteral(", ")), words(ruleNameOf(figureStatusNames(), status)),
-             words(meaningOf(status)));
+             translated(meaningOf(status)));
 }
 
 namespace {
@@ -200,7 +202,7 @@ void VerdictTable::show(const std::shared_ptr<const ReviewAnswer>& answer, UnitS
                   [](const RuleColumn& column) { return column.key == "place" || column.key == "day"; });
     const bool sameColumns = sameRule && columnCount() == int(columns_.size()) + firstRuleColumn;
     QStringList titles{tr("Place and day"), tr("Verdict")};
-    for (const RuleColumn& column : columns_) titles << wrapped(textOf(column.title));
+    for (const RuleColumn& column : columns_) titles << wrapped(ruleName(column.title));
     setColumnCount(int(titles.size()));
     setHeaderLabels(titles);
     for (const std::size_t i : orderByVerdict(answer->study)) addPlace(i);
@@ -228,12 +230,13 @@ void VerdictTable::addPlace(std::size_t review) {
     QFont bold = font();
     bold.setBold(true);
     item->setFont(verdictColumn, bold);
-    for (int i = 0; i < columnCount(); ++i) item->setToolTip(i, textOf(describeReason(place, units_)));
+    for (int i = 0; i < columnCount(); ++i)
+        item->setToolTip(i, inWindowWords([&] { return describeReason(place, units_); }));
     item->setData(0, reviewRole, qulonglong(review));
     if (place.rows.size() == 1) {  // one day stands in the place's own row
         for (std::size_t i = 0; i < columns_.size(); ++i)
             item->setText(int(i) + firstRuleColumn,
-                          textOf(columnText(place, place.rows.front(), columns_[i].key)));
+                          localiseNumbers(textOf(columnText(place, place.rows.front(), columns_[i].key))));
         return;
     }
     for (const ReviewRow* row : rowsToList(place, hasFewDays(answer_->question.rule)))
@@ -246,8 +249,9 @@ void VerdictTable::addDay(QTreeWidgetItem& place, std::size_t review, const Revi
     item->setData(0, reviewRole, qulonglong(review));
     item->setData(0, dayRole, item->text(0));
     for (std::size_t i = 0; i < columns_.size(); ++i)
-        item->setText(int(i) + firstRuleColumn,
-                      textOf(columnText(answer_->study.places[review], row, columns_[i].key)));
+        item->setText(
+            int(i) + firstRuleColumn,
+            localiseNumbers(textOf(columnText(answer_->study.places[review], row, columns_[i].key))));
 }
 
 void VerdictTable::choose(const QTreeWidgetItem* item) {

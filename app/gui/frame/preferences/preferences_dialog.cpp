@@ -8,11 +8,11 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/looks/application_theme.h"
-#include "app/gui/base/looks/language.h"
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/docks/sheets/sheet_form.h"
 #include "app/gui/frame/help/start_page.h"
+#include "app/language/language.h"
 
 namespace noonmark {
 

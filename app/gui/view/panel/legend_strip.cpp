@@ -18,6 +18,7 @@
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/view/panel/legend_editor.h"
 #include "app/report/maps/map_view.h"
+#include "app/report/maps/sheet_text.h"
 
 namespace noonmark {
 
@@ -417,6 +418,7 @@ void LegendStrip::paintEvent(QPaintEvent*) {
     paintScale(canvas);
     paintNote(canvas);
     const QRectF area = legendArea();
+    const SheetScope words;
     if (legend_)
         return paintLegend({painter, area.height() / legendHeightPt, canvas.inks}, area,
                            translatedLegend(*legend_));

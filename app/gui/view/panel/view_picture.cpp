@@ -6,6 +6,7 @@
 
 #include "app/gui/base/looks/units.h"
 #include "app/report/maps/map_view.h"
+#include "app/report/maps/sheet_text.h"
 
 namespace noonmark {
 
@@ -133,6 +134,7 @@ QImage viewPicture(const QImage& view, const PictureFrame& frame, double scale) 
     painter.drawImage(QPoint(0, top), view);
     painter.scale(scale, scale);
     const Canvas canvas{painter, pointPx};
+    const SheetScope words;
     takeLines(canvas, layout.above, marginPx, layout.width, true);
     const QRectF foot(marginPx, (top + view.height()) / scale + marginPx, layout.width, footPx);
     const double legendWidth =

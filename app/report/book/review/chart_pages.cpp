@@ -3,6 +3,7 @@
 #include <map>
 
 #include "app/report/book/review/review_pages.h"
+#include "app/report/maps/sheet_text.h"
 
 namespace noonmark {
 
@@ -38,17 +39,15 @@ public:
         return charts;
     }
 
-    [[nodiscard]] BookPage timelinePage(bool isFirst) const {
-        return page(QStringLiteral("Timelines"), isFirst);
-    }
+    [[nodiscard]] BookPage timelinePage(bool isFirst) const { return page(sheetText("Timelines"), isFirst); }
 
     [[nodiscard]] std::vector<BookPage> yearPages() const {
         if (!coversARange()) return {};
-        BookPage carpets = page(QStringLiteral("Hours of the year in shadow"), false);
+        BookPage carpets = page(sheetText("Hours of the year in shadow"), false);
         const auto areas = gridAreas(scene_.settings.setup, 1, 2);
         carpets.items.push_back({areas[0], carpetOf(CarpetQuantity::scenario)});
         carpets.items.push_back({areas[1], carpetOf(CarpetQuantity::incremental)});
-        BookPage months = page(QStringLiteral("Shadow by month"), false);
+        BookPage months = page(sheetText("Shadow by month"), false);
         months.items.push_back({areas[0], monthsChart()});
         return {carpets, months};
     }
@@ -60,8 +59,7 @@ private:
 
     [[nodiscard]] BookPage page(const QString& what, bool isFirst) const {
         return {what + QStringLiteral(": ") + name(),
-                QStringLiteral("%1 measured. Clock: %2.")
-                    .arg(areaText(review_.areaM2), plainText(scene_.source.study.clock)),
+                sheetText("%1 measured. Clock: %2.").arg(areaText(review_.areaM2), clockText(scene_)),
                 isFirst ? name() : QString(),
                 1,
                 {}};
@@ -96,11 +94,10 @@ private:
 
     [[nodiscard]] PageChart carpetOf(CarpetQuantity quantity) const {
         const Caption caption{
-            quantity == CarpetQuantity::incremental
-                ? QStringLiteral("Incremental shadow: share of the place")
-                : QStringLiteral("Shadow in the scenario: share of the place"),
-            QStringLiteral("Day of the year across, time of day upwards; not counted: the sun is down, or "
-                           "outside the rule's hours")};
+            quantity == CarpetQuantity::incremental ? sheetText("Incremental shadow: share of the place")
+                                                    : sheetText("Shadow in the scenario: share of the place"),
+            sheetText("Day of the year across, time of day upwards; not counted: the sun is down, or "
+                      "outside the rule's hours")};
         CarpetChart chart = makeCarpetChart(days_, quantity, carpetRowMin, scene_.sun.clock);
         chart.legend = scene_.settings.legend;
         return {std::move(chart), caption};
@@ -108,10 +105,10 @@ private:
 
     [[nodiscard]] PageChart monthsChart() const {
         return {makeMonthBars(review_, scene_.settings.units),
-                {QStringLiteral("Area × hours in shadow by month"),
+                {sheetText("Area × hours in shadow by month"),
                  scene_.source.study.rule.days.mirrored
-                     ? QStringLiteral("The measured half of the year stands for both halves: each month "
-                                      "counts twice")
+                     ? sheetText("The measured half of the year stands for both halves: each month "
+                                 "counts twice")
                      : QString()}};
     }
 
@@ -144,11 +141,8 @@ public:
 private:
     void share(const QString& name, std::vector<PageChart> drawn) {
         if (!isShared_ || pages_.back().items.size() + drawn.size() > areas_.size())
-            pages_.push_back({QStringLiteral("Timelines"),
-                              QStringLiteral("Clock: %1.").arg(plainText(scene_.source.study.clock)),
-                              {},
-                              1,
-                              {}});
+            pages_.push_back(
+                {sheetText("Timelines"), sheetText("Clock: %1.").arg(clockText(scene_)), {}, 1, {}});
         isShared_ = true;
         BookPage& page = pages_.back();
         page.bookmark += (page.bookmark.isEmpty() ? QString() : QStringLiteral("; ")) + name;
@@ -184,7 +178,7 @@ std::vector<BookPage> makeChartPages(const ReviewScene& scene) {
     }
     std::vector<BookPage> pages = book.finish();
     if (!pages.empty()) {
-        pages.front().bookmark = QStringLiteral("Timelines of places");
+        pages.front().bookmark = sheetText("Timelines of places");
         pages.front().level = 0;
     }
     return pages;

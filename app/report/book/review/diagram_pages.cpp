@@ -6,6 +6,7 @@
 #include "app/report/book/sun_view.h"
 #include "app/report/maps/answer_legends.h"
 #include "app/report/maps/city_painter.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/study_text.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_outlines.h"
@@ -21,9 +22,9 @@ constexpr double maxPicturePixels = 2200;  // a picture for large paper need not
 constexpr std::size_t maxSunViewsADay = 3;
 
 QString sunText(const SunStep& sun) {
-    return QStringLiteral("Sun: azimuth %1°, altitude %2°")
-        .arg(double(sun.azimuthDeg), 0, 'f', 1)
-        .arg(double(sun.altitudeDeg), 0, 'f', 1);
+    return sheetText("Sun: azimuth %1°, altitude %2°")
+        .arg(fixedNumber(double(sun.azimuthDeg), 1))
+        .arg(fixedNumber(double(sun.altitudeDeg), 1));
 }
 
 Caption captionOf(const DiagramMoment& moment) {
@@ -38,7 +39,7 @@ OutlineSettings outlineSettingsOf(const ReviewScene& scene, const Box2& ground) 
 QString planeText(const ReviewScene& scene) {
     const auto planeM = planeOf(scene.source.study.rule);
     if (!planeM) return {};
-    return QStringLiteral("Shadows are on a horizontal plane %1 m above the mean ground. ")
+    return sheetText("Shadows are on a horizontal plane %1 m above the mean ground. ")
         .arg(describeAmount(*planeM, 2));
 }
 
@@ -48,7 +49,7 @@ std::vector<LegendPatch> verdictPatches(const ReviewScene& scene) {
     for (const Verdict verdict : {Verdict::fail, Verdict::borderline, Verdict::pass, Verdict::notApplicable})
         if (std::ranges::find(scene.diagrams->placeColours, verdictMark(verdict)) !=
             scene.diagrams->placeColours.end())
-            patches.push_back({verdictMark(verdict), QStringLiteral("place: ") + plainText(nameOf(verdict))});
+            patches.push_back({verdictMark(verdict), sheetText("place: ") + sheetText(nameOf(verdict))});
     return patches;
 }
 
@@ -56,9 +57,9 @@ PageItem footOf(const ReviewScene& scene, double scale, double cellM, DiagramFoo
     const PageSetup& setup = scene.settings.setup;
     const double height = diagramFootPt(textScale(setup));
     const QRectF all = contentArea(setup);
-    QString note = QStringLiteral("Times: %1.").arg(plainText(scene.source.study.clock));
+    QString note = sheetText("Times: %1.").arg(clockText(scene));
     if (cellM > 0)
-        note += QStringLiteral(" Edges of shadows follow cells of %1 m, because the ground is not level.")
+        note += sheetText(" Edges of shadows follow cells of %1 m, because the ground is not level.")
                     .arg(describeAmount(cellM, 2));
     DiagramFoot foot = makeFoot(scene, scale, subject);
     foot.note = note;
@@ -67,7 +68,7 @@ PageItem footOf(const ReviewScene& scene, double scale, double cellM, DiagramFoo
 }
 
 QString fromTo(const ReviewScene& scene) {
-    return QStringLiteral("%1 compared with %2. %3North is up.")
+    return sheetText("%1 compared with %2. %3North is up.")
         .arg(plainText(scene.source.labels.to), plainText(scene.source.labels.from), planeText(scene));
 }
 
@@ -228,7 +229,7 @@ Result<std::vector<BookPage>> makeDiagramPages(const ReviewScene& scene, Progres
         if (!diagram) return tl::make_unexpected(diagram.error());
         diagrams.push_back({moment.day, *std::move(diagram)});
     }
-    return placeDiagrams(scene, {QStringLiteral("Shadow diagrams"), fromTo(scene), areas}, areas.front(),
+    return placeDiagrams(scene, {sheetText("Shadow diagrams"), fromTo(scene), areas}, areas.front(),
                          std::move(diagrams));
 }
 
@@ -241,9 +242,9 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
     const auto areas = diagramAreas(scene, grid.first, grid.second);
     std::vector<DayDiagram> diagrams;
     const MomentPages pages(
-        QStringLiteral("Shadow fans"),
-        QStringLiteral("All shadows of a day that the proposal would cast if it stood alone, %1. "
-                       "%2North is up.")
+        sheetText("Shadow fans"),
+        sheetText("All shadows of a day that the proposal would cast if it stood alone, %1. "
+                  "%2North is up.")
             .arg(plainText(scene.source.labels.to), planeText(scene)),
         areas);
     const City proposal = keepOwnBuildings(scene.after, scene.before);
@@ -266,9 +267,8 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
         for (std::size_t i = 0; i < moments.size(); ++i)
             diagram.fan.push_back({moments[i].time, std::move(fan->ofStep[i])});
         diagram.caption = {
-            dayText(day) + QStringLiteral(", %1 to %2").arg(moments.front().time, moments.back().time),
-            QStringLiteral("1:%1. Existing buildings do not hide these shadows")
-                .arg(std::llround(layout.scale))};
+            dayText(day) + sheetText(", %1 to %2").arg(moments.front().time, moments.back().time),
+            sheetText("1:%1. Existing buildings do not hide these shadows").arg(std::llround(layout.scale))};
         diagrams.push_back({day, std::move(diagram)});
     }
     return placeDiagrams(scene, pages, areas.front(), std::move(diagrams));
@@ -279,13 +279,12 @@ Result<std::vector<BookPage>> makeIsochronePages(const ReviewScene& scene, Progr
     if (!hasIsochrones(scene.source.study.rule)) return std::vector<BookPage>{};
     const auto areas = diagramAreas(scene, 1, 1);
     std::vector<DayDiagram> diagrams;
-    const QString title = QStringLiteral("Lines of equal hours of shadow");
-    const MomentPages pages(
-        title,
-        QStringLiteral("%1. Thick: limits of the rule. Dashed: distances from the parcel. "
-                       "North is up.")
-            .arg(plainText(scene.source.labels.to)),
-        areas);
+    const QString title = sheetText("Lines of equal hours of shadow");
+    const MomentPages pages(title,
+                            sheetText("%1. Thick: limits of the rule. Dashed: distances from the parcel. "
+                                      "North is up.")
+                                .arg(plainText(scene.source.labels.to)),
+                            areas);
     for (std::size_t i = 0; i < std::min(maxIsochroneDays, scene.sun.sun.days.size()); ++i) {
         progress.report(0, NM_TEXT("drawing lines of equal hours"));
         auto diagram = makeIsochrones(scene, i, areas.front(), stop);
@@ -307,12 +306,11 @@ Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progres
     const auto views =
         SunViewScene::make(*scene.diagrams, groundOf(layout.centre, layout.scale, shown), stop);
     if (!views) return tl::make_unexpected(views.error());
-    MomentPages pages(
-        QStringLiteral("Views from the sun"),
-        QStringLiteral("%1, without perspective, as the sun sees it: what is visible is sunlit, "
-                       "what is hidden is in shadow. The proposal is violet, places are green.")
-            .arg(plainText(scene.source.labels.to)),
-        areas);
+    MomentPages pages(sheetText("Views from the sun"),
+                      sheetText("%1, without perspective, as the sun sees it: what is visible is sunlit, "
+                                "what is hidden is in shadow. The proposal is violet, places are green.")
+                          .arg(plainText(scene.source.labels.to)),
+                      areas);
     for (const auto& [day, moments] : byDay(scene.moments))
         for (const DiagramMoment& moment : fewOf(moments)) {
             if (stop.stop_requested()) return cancelled();

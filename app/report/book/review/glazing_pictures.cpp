@@ -7,6 +7,7 @@
 #include "app/report/book/elevation_pages.h"
 #include "app/report/book/review/review_pages.h"
 #include "app/report/book/sun_view.h"
+#include "app/report/maps/sheet_text.h"
 #include "core/describe/text.h"
 #include "core/measures/places/place_run.h"
 #include "core/review/rule/rule_days.h"
@@ -66,7 +67,7 @@ ElevationCell changeCell(const GlazingReview& review, const std::optional<double
 QString nameOfBuilding(const GlazingStudy& study, const PanesOfBuilding& group) {
     const ReviewedGlazing& window = study.windows[study.panes[group.panes.front()].window].window;
     const std::string& name = window.buildingName.empty() ? window.building : window.buildingName;
-    return name.empty() ? QStringLiteral("Windows at no building") : plainText(name);
+    return name.empty() ? sheetText("Windows at no building") : plainText(name);
 }
 
 /// Of a measure and of its change.
@@ -97,15 +98,14 @@ ElevationBuilding makeBuilding(const GlazingBookSource& source, const GlazingMea
     }
     if (hasFormer) return building;
     building.cells[0].clear(), building.cells[2].clear();
-    building.notes = {
-        QStringLiteral("The building is new or changed"), {}, QStringLiteral("No former values")};
+    building.notes = {sheetText("The building is new or changed"), {}, sheetText("No former values")};
     return building;
 }
 
 Legend legendOf(const GlazingMeasure& measure, const LegendChoice& choice, bool isChange) {
     Legend legend;
-    legend.title = isChange ? QStringLiteral("Change") : plainText(measure.title);
-    legend.unit = plainText(measure.unit) + QStringLiteral(", scale locked");
+    legend.title = isChange ? sheetText("Change") : sheetText(measure.title);
+    legend.unit = sheetText(measure.unit) + sheetText(", scale locked");
     legend.scale = isChange ? measure.changeScale : measure.scale;
     legend.change = isChange;
     legend.colours = makeWantedScale(choice, legend.scale, isChange);
@@ -118,19 +118,18 @@ std::vector<BookPage> makePagesOf(const GlazingBookSource& source, const BookSet
     const GlazingStudy& study = source.study;
     const GlazingLegends legends{legendOf(measure, settings.legend, false),
                                  legendOf(measure, settings.legend, true)};
-    ElevationSheets sheets{
-        QStringLiteral("Elevations: ") + plainText(measure.title),
-        QStringLiteral("%1 and %2. %3. Colours beyond the ends of a scale are "
-                       "those of its ends.")
-            .arg(plainText(source.labels.from), plainText(source.labels.to),
-                 describeFloors(study.settings.elements)),
-        QStringLiteral("Elevations: ") + plainText(measure.title),
-        {plainText(source.labels.from), plainText(source.labels.to), QStringLiteral("Change")},
-        {{legends.value, legends.change}},
-        source.scenario.frame,
-        maxPages};
+    ElevationSheets sheets{sheetText("Elevations: ") + sheetText(measure.title),
+                           sheetText("%1 and %2. %3. Colours beyond the ends of a scale are "
+                                     "those of its ends.")
+                               .arg(plainText(source.labels.from), plainText(source.labels.to),
+                                    describeFloors(study.settings.elements)),
+                           sheetText("Elevations: ") + sheetText(measure.title),
+                           {plainText(source.labels.from), plainText(source.labels.to), sheetText("Change")},
+                           {{legends.value, legends.change}},
+                           source.scenario.frame,
+                           maxPages};
     sheets.scale = settings.scale;
-    sheets.foot.note = QStringLiteral("Grey: no value. Seen square to the wall, from outside.");
+    sheets.foot.note = sheetText("Grey: no value. Seen square to the wall, from outside.");
     // Each side takes a quarter of a page at least: more buildings cannot be drawn.
     std::vector<ElevationBuilding> buildings;
     for (const PanesOfBuilding& group : groups) {
@@ -201,9 +200,9 @@ Result<std::array<CityViews, 2>> makeViews(const GlazingBookSource& source, cons
 
 Caption captionOf(const RuleMoment& moment, const QString& city) {
     return {QStringLiteral("%1, %2: %3").arg(dayText(moment.day), QString::fromStdString(moment.clock), city),
-            QStringLiteral("Sun: azimuth %1°, altitude %2°")
-                .arg(double(moment.sun.azimuthDeg), 0, 'f', 1)
-                .arg(double(moment.sun.altitudeDeg), 0, 'f', 1)};
+            sheetText("Sun: azimuth %1°, altitude %2°")
+                .arg(fixedNumber(double(moment.sun.azimuthDeg), 1))
+                .arg(fixedNumber(double(moment.sun.altitudeDeg), 1))};
 }
 
 }  // namespace
@@ -227,7 +226,7 @@ Result<std::vector<BookPage>> makeGlazingSunViews(const GlazingBookSource& sourc
     const auto areas = gridAreas(settings.setup, 2, settings.setup.landscape ? 2 : 3);
     const QSizeF shown = mapAreaOf(areas.front(), textScale(settings.setup)).size() * viewDpi / 72;
     const QSize size = (shown * std::min(1.0, maxViewPixels / shown.width())).toSize();
-    const QString title = QStringLiteral("Views from the sun");
+    const QString title = sheetText("Views from the sun");
     std::size_t used = 0;
     for (const RuleMoment& moment : *moments) {
         progress.report(double(used) / double(2 * moments->size()), NM_TEXT("drawing views from the sun"));
@@ -235,9 +234,9 @@ Result<std::vector<BookPage>> makeGlazingSunViews(const GlazingBookSource& sourc
             if (stop.stop_requested()) return cancelled();
             if (used % areas.size() == 0)
                 pages.push_back({title,
-                                 QStringLiteral("Without perspective, as the sun sees it: what is visible is "
-                                                "sunlit, what is hidden is in shadow. New and changed "
-                                                "buildings are violet. Clock: %1.")
+                                 sheetText("Without perspective, as the sun sees it: what is visible is "
+                                           "sunlit, what is hidden is in shadow. New and changed "
+                                           "buildings are violet. Clock: %1.")
                                      .arg(plainText(study.clock.text())),
                                  pages.empty() ? title : QString(),
                                  0,

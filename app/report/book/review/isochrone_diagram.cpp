@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/report/book/review/review_pages.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/study_text.h"
 #include "core/measures/outlines/day_isochrones.h"
 #include "core/receivers/parcels/parcel_lines.h"
@@ -87,10 +88,10 @@ Result<Diagram> makeIsochrones(const ReviewScene& scene, std::size_t day, const 
         layout.centre,  layout.scale, {}, scale};
     addDistances(scene, diagram.valueLines);
     const QString where =
-        planeM ? QStringLiteral("on a plane %1 m above the mean ground").arg(describeAmount(*planeM, 2))
-               : QStringLiteral("on the ground");
+        planeM ? sheetText("on a plane %1 m above the mean ground").arg(describeAmount(*planeM, 2))
+               : sheetText("on the ground");
     diagram.caption = {dayText(scene.sun.sun.days[day].date),
-                       QStringLiteral("Hours of shadow in the rule's hours, %1, on cells of %2 m")
+                       sheetText("Hours of shadow in the rule's hours, %1, on cells of %2 m")
                            .arg(where, describeAmount(isochrones->cellM, 2))};
     return diagram;
 }

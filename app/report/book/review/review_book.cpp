@@ -6,6 +6,7 @@
 #include "app/report/book/answer_books.h"
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_text.h"
 #include "core/describe/command_options.h"
@@ -26,9 +27,8 @@ void trim(std::vector<BookPage>& pages, std::size_t maximum) {
     const std::size_t left = pages.size() - maximum;
     pages.resize(maximum);
     if (pages.empty()) return;
-    pages.back().subtitle =
-        QStringLiteral("%1 further pages are printed by the option --all-pages. ").arg(left) +
-        pages.back().subtitle;
+    pages.back().subtitle = sheetText("%1 further pages are printed by the option --all-pages. ").arg(left) +
+                            pages.back().subtitle;
 }
 
 /// Timelines and tables on the pages that the rest of the book leaves.
@@ -53,24 +53,29 @@ std::vector<MakePages> pictureChapters(const Rule& rule) {
 }  // namespace
 
 std::vector<CommandOption> makeRepeatOptions(const BookSettings& settings) {
+    BookSettings stated = settings;
+    stated.language = statedLanguage(settings.language);
     std::vector<CommandOption> options = listOptions(pageFields().of(settings.setup));
     for (const auto* fields : {&scaleFields(), &bookFields(), &extentFields()})
-        for (CommandOption& option : listOptions(fields->of(settings))) options.push_back(std::move(option));
+        for (CommandOption& option : listOptions(fields->of(stated))) options.push_back(std::move(option));
     for (CommandOption& option : listOptions(legendFields().of(settings.legend)))
         options.push_back(std::move(option));
     // That of the day where none is stated: repeated later, the sheets print the same.
     const std::string& date = settings.titleBlock.date;
+    const SheetScope words(settings.language);
     options.push_back({"--date", {date.empty() ? describeToday().toStdString() : date}});
     return options;
 }
 
 Result<Book> makeReviewBook(const ReviewBookSource& source, const BookSettings& settings, Progress& progress,
                             const std::stop_token& stop) {
+    const SheetScope words(settings.language);
     const auto scene = makeReviewScene(source, settings, stop);
     if (!scene) return tl::make_unexpected(scene.error());
-    Book book = beginBook(settings, QStringLiteral("Shadow review: ") + plainText(source.study.rule.name),
+    Book book = beginBook(settings, sheetText("Shadow review: ") + sheetRuleText(source.study.rule.name),
                           source.labels.provenance.attribution);
-    book.record = {QStringLiteral("review.json"), toJsonText(reviewJson(source.study, source.labels))};
+    book.record = {QStringLiteral("review.json"),
+                   inEnglish([&] { return toJsonText(reviewJson(source.study, source.labels)); })};
     std::vector<MakePages> chapters = pictureChapters(source.study.rule);
     chapters.insert(chapters.begin(), makeSummaryPages);
     for (const MakePages make : chapters) {
@@ -93,37 +98,35 @@ namespace {
 TextBlocks methodOf(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
     const Observer& observer = scene.observer;
-    TextBlocks blocks{heading(QStringLiteral("Method"))};
+    TextBlocks blocks{heading(sheetText("Method"))};
     const auto add = [&](const QString& text) { blocks.push_back(body(text)); };
-    add(QStringLiteral(
-            "Engine: %1. Receivers: centres of the square cells of %2 m that the places touch, each "
-            "weighed by its share of the place, not under a building of baseline or proposal.")
+    add(sheetText("Engine: %1. Receivers: centres of the square cells of %2 m that the places touch, each "
+                  "weighed by its share of the place, not under a building of baseline or proposal.")
             .arg(plainText(study.engine), describeAmount(study.settings.cellM, 2)));
     const std::size_t days = scene.sun.sun.days.size();
-    add(QStringLiteral("Time: %1, %2 of %3 min with the sun in the rule's hours. Clock: %4.")
+    add(sheetText("Time: %1, %2 of %3 min with the sun in the rule's hours. Clock: %4.")
             .arg(describeCount(days, "day"), describeCount(scene.sun.sun.steps.size(), "step"),
-                 describeAmount(study.stepMinutes, 4), plainText(study.clock)));
-    add(QStringLiteral("Sun: ERFA, topocentric, seen from %1; apparent altitude, with refraction.")
+                 describeAmount(study.stepMinutes, 4), clockText(scene)));
+    add(sheetText("Sun: ERFA, topocentric, seen from %1; apparent altitude, with refraction.")
             .arg(describeLatLon(observer.place)));
-    add(QStringLiteral("Frame: metres to the east and true north of %1 (WGS84).")
+    add(sheetText("Frame: metres to the east and true north of %1 (WGS84).")
             .arg(describeLatLon(scene.source.baseline.frame.origin())));
-    add(QStringLiteral(
-        "Incremental shadow lies on what is sunlit in the baseline; sun gained is the reverse."));
-    blocks.push_back(heading(QStringLiteral("Error")));
+    add(sheetText("Incremental shadow lies on what is sunlit in the baseline; sun gained is the reverse."));
+    blocks.push_back(heading(sheetText("Error")));
     add(QString::fromStdString(describeReviewErrors(study)));
     add(
-        QStringLiteral("The outlines in diagrams are exact unions of projected buildings where the ground is "
-                       "level; the figures come from the cells."));
-    blocks.push_back(heading(QStringLiteral("Not modelled")));
-    add(QStringLiteral("Small structures and penumbra; the sun is a point at the centre of its disc."));
-    add(plainText(study.trees) + QStringLiteral(". Diagrams show the shadows of buildings and terrain."));
-    for (const std::string& text : study.notChecked) add(plainText(text));
+        sheetText("The outlines in diagrams are exact unions of projected buildings where the ground is "
+                  "level; the figures come from the cells."));
+    blocks.push_back(heading(sheetText("Not modelled")));
+    add(sheetText("Small structures and penumbra; the sun is a point at the centre of its disc."));
+    add(treesText(scene) + sheetText(". Diagrams show the shadows of buildings and terrain."));
+    for (const std::string& text : study.notChecked) add(sheetRuleText(text));
     return blocks;
 }
 
 // The title of a list is a heading, which stays with the list's first line.
 TextBlocks ruleBlocks(const Rule& rule) {
-    TextBlocks blocks{heading(QStringLiteral("The rule, as it was read"))};
+    TextBlocks blocks{heading(sheetText("The rule, as it was read"))};
     const QStringList lines = QString::fromStdString(describeRule(rule)).split(u'\n', Qt::SkipEmptyParts);
     const QString item = QStringLiteral("  - ");
     for (qsizetype i = 0; i < lines.size(); ++i) {
@@ -161,9 +164,9 @@ std::vector<BookPage> makeMethodPages(const ReviewScene& scene) {
     addBlocks(blocks, repeatBlocks(makeRepeatCommand(scene.source.study, scene.source.labels, bookCharacters),
                                    false));
     addBlocks(blocks, ruleBlocks(scene.source.study.rule));
-    return makeTextPages(
-        scene.settings.setup,
-        {QStringLiteral("Method and sources"), {}, QStringLiteral("Method and sources"), 0, {}}, blocks);
+    return makeTextPages(scene.settings.setup,
+                         {sheetText("Method and sources"), {}, sheetText("Method and sources"), 0, {}},
+                         blocks);
 }
 
 }  // namespace noonmark

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/study_text.h"
 #include "core/receivers/place_names.h"
 
@@ -86,12 +87,12 @@ private:
     }
 
     [[nodiscard]] QString nameGroup(std::size_t i) const {
-        const QString kind = plainText(nameOf(reviewOf(i).kind));
-        if (!isPiece(drawn(i))) return QStringLiteral("further places: %1").arg(kind);
+        const QString kind = sheetText(nameOf(reviewOf(i).kind));
+        if (!isPiece(drawn(i))) return sheetText("further places: %1").arg(kind);
         const QString size = QString::fromStdString(formatArea(settings_.minPlaceM2, settings_.units));
         if (const Place* around = findAround(drawn(i)))
-            return QStringLiteral("%1: pieces of less than %2").arg(plainText(around->name), size);
-        return QStringLiteral("%1, pieces of less than %2").arg(kind, size);
+            return sheetText("%1: pieces of less than %2").arg(plainText(around->name), size);
+        return sheetText("%1, pieces of less than %2").arg(kind, size);
     }
 
     /// The smallest place with a name that holds the first corner of a piece; null without one.
@@ -150,7 +151,7 @@ QString numberedName(const PlaceRow& row) {
 
 QString shortName(const Place& place) {
     if (hasOwnName(place)) return plainText(place.name);
-    return plainText(nameOf(place.kind)) + QStringLiteral(" without a name");
+    return sheetText(nameOf(place.kind)) + sheetText(" without a name");
 }
 
 std::size_t placeOf(const ReviewStudy& study, std::size_t review) {

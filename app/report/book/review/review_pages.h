@@ -128,6 +128,10 @@ std::vector<BookPage> makeMethodPages(const ReviewScene& scene);
 
 void appendPages(std::vector<BookPage>& to, std::vector<BookPage> pages);
 
+/// The clock of the rule, and which trees it counts, in the language of the sheets.
+QString clockText(const ReviewScene& scene);
+QString treesText(const ReviewScene& scene);
+
 /// "21 March 2026": a day in captions.
 QString dayText(CivilDate day);
 

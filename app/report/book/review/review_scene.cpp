@@ -7,6 +7,7 @@
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
 #include "app/report/maps/answer_legends.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/study_text.h"
 #include "core/measures/places/place_run.h"
 #include "core/receivers/place_names.h"
@@ -234,7 +235,7 @@ std::vector<QString> keyEntries(const ReviewScene& scene, const std::vector<Box2
 QString joinKey(const std::vector<QString>& entries, std::size_t count) {
     QString text;
     for (std::size_t i = 0; i < count; ++i) text += (i > 0 ? QStringLiteral("   ") : QString()) + entries[i];
-    if (count < entries.size()) text += QStringLiteral("   ... further numbers: see the summary");
+    if (count < entries.size()) text += sheetText("   ... further numbers: see the summary");
     return text;
 }
 
@@ -259,6 +260,15 @@ std::vector<QRectF> gridAreas(const PageSetup& setup, int columns, int rows) {
 
 void appendPages(std::vector<BookPage>& to, std::vector<BookPage> pages) {
     std::move(pages.begin(), pages.end(), std::back_inserter(to));
+}
+
+QString clockText(const ReviewScene& scene) { return plainText(scene.sun.clock.text()); }
+
+QString treesText(const ReviewScene& scene) {
+    const ReviewStudy& study = scene.source.study;
+    if (isEnglishInUse()) return plainText(study.trees);
+    return plainText(
+        describeCountedTrees(study.rule.occluders.trees, scene.source.scenario, scene.source.baseline));
 }
 
 QString dayText(CivilDate day) { return describeDates(day); }

@@ -6,6 +6,7 @@
 #include "app/report/book/review/review_pages.h"
 #include "app/report/maps/answer_legends.h"
 #include "app/report/maps/map_painter.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/study_text.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/places/verdict_text.h"
@@ -20,21 +21,21 @@ constexpr std::size_t maxOthersNamed = 150;
 
 PageTable verdictTable(const ReviewScene& scene, double points) {
     const ReviewStudy& study = scene.source.study;
-    PageTable table{{QStringLiteral("Place"), QStringLiteral("Kind"), QStringLiteral("Area"),
-                     QStringLiteral("Verdict"), QStringLiteral("Reason")},
-                    {},
-                    {},
-                    {},
-                    points};
+    PageTable table{
+        {sheetText("Place"), sheetText("Kind"), sheetText("Area"), sheetText("Verdict"), sheetText("Reason")},
+        {},
+        {},
+        {},
+        points};
     for (const PlaceRow& row : scene.list.rows) {
         const PlaceReview& first = study.places[row.reviews.front()];
         double areaM2 = 0;
         for (const std::size_t i : row.reviews) areaM2 += study.places[i].areaM2;
         QString reason = plainText(describeReason(first, scene.settings.units));
         if (row.reviews.size() > 1) reason = plainText(first.name) + QStringLiteral(": ") + reason;
-        table.rows.push_back({numberedName(row), plainText(nameOf(first.kind)),
+        table.rows.push_back({numberedName(row), sheetText(nameOf(first.kind)),
                               QString::fromStdString(formatArea(areaM2, scene.settings.units)),
-                              plainText(nameVerdict(first)), reason});
+                              sheetText(nameVerdict(first)), reason});
         table.marks.push_back(verdictMark(first.verdict));
     }
     return table;
@@ -46,7 +47,7 @@ QString extentText(const ReviewScene& scene) {
     for (const PlaceRow& row : scene.list.rows) single += row.reviews.size() == 1 ? 1 : 0;
     const std::size_t all = scene.source.study.places.size();
     if (scene.settings.allPages || single == all) return {};
-    return QStringLiteral(
+    return sheetText(
                "Of %1 places %2 are listed one by one; the numbers are those of the diagrams. Places "
                "of less than %3 without a name are listed together. Timelines are of places that "
                "fail or are borderline. review.csv has all places; the option --all-pages prints them.")
@@ -60,18 +61,18 @@ TextBlocks introduction(const ReviewScene& scene) {
     for (const GeometryHeadline& headline : listGeometryHeadlines(scene.source.scenario, {}))
         if (headline.of != "heights of trees" || study.rule.occluders.trees != RuleTrees::without)
             blocks.push_back(heading(QString::fromStdString(headline.text)));
-    blocks.push_back(body(plainText(study.rule.summary)));
-    blocks.push_back(body(QStringLiteral("Proposal: %1. Baseline: %2.")
+    blocks.push_back(body(sheetRuleText(study.rule.summary)));
+    blocks.push_back(body(sheetText("Proposal: %1. Baseline: %2.")
                               .arg(plainText(scene.source.labels.to), plainText(scene.source.labels.from))));
-    blocks.push_back(body(QStringLiteral("Clock: %1, year %2. Engine: %3, every %4 min, cells of %5 m. %6.")
-                              .arg(plainText(study.clock))
+    blocks.push_back(body(sheetText("Clock: %1, year %2. Engine: %3, every %4 min, cells of %5 m. %6.")
+                              .arg(clockText(scene))
                               .arg(study.year)
                               .arg(plainText(study.engine), describeAmount(study.stepMinutes, 2),
-                                   describeAmount(study.settings.cellM, 2), plainText(study.trees))));
+                                   describeAmount(study.settings.cellM, 2), treesText(scene))));
     blocks.push_back(body(plainText(describeLeastCertain(study.rule))));
     if (scene.moments.empty())
-        blocks.push_back(body(
-            QStringLiteral("Figures only: the sun is not up at the rule's times, so no diagram is drawn.")));
+        blocks.push_back(
+            body(sheetText("Figures only: the sun is not up at the rule's times, so no diagram is drawn.")));
     if (const QString extent = extentText(scene); !extent.isEmpty()) blocks.push_back(body(extent));
     return blocks;
 }
@@ -81,28 +82,28 @@ TextBlocks otherBlocks(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
     std::map<QString, std::pair<std::vector<QString>, std::size_t>> byVerdict;
     for (const PlaceRow& row : scene.list.others)
-        byVerdict[plainText(nameVerdict(study.places[row.reviews.front()]))].first.push_back(
+        byVerdict[sheetText(nameVerdict(study.places[row.reviews.front()]))].first.push_back(
             QString::number(row.number) + QChar(0xa0) + row.name);
     for (const std::size_t i : scene.list.unnamed)
-        ++byVerdict[plainText(nameVerdict(study.places[i]))].second;
+        ++byVerdict[sheetText(nameVerdict(study.places[i]))].second;
     if (byVerdict.empty()) return {};
-    TextBlocks blocks{heading(QStringLiteral("Places without new shadow"))};
+    TextBlocks blocks{heading(sheetText("Places without new shadow"))};
     for (const auto& [verdict, places] : byVerdict) {
         const auto& [names, unnamed] = places;
         const std::size_t shown = std::min(names.size(), maxOthersNamed);
         QStringList texts(names.begin(), names.begin() + std::ptrdiff_t(shown));
         if (shown < names.size())
-            texts << QStringLiteral("%1 further places with names").arg(describeCount(names.size() - shown));
-        if (unnamed > 0) texts << QStringLiteral("%1 without a name").arg(describeCount(unnamed));
+            texts << sheetText("%1 further places with names").arg(describeCount(names.size() - shown));
+        if (unnamed > 0) texts << sheetText("%1 without a name").arg(describeCount(unnamed));
         blocks.push_back(body(verdict + QStringLiteral(": ") + texts.join(QStringLiteral(", "))));
     }
     return blocks;
 }
 
 TextBlocks notCheckedBlocks(const ReviewStudy& study) {
-    TextBlocks blocks{heading(QStringLiteral("Not checked"))};
-    for (const std::string& text : study.notChecked) blocks.push_back(body(plainText(text)));
-    if (study.notChecked.empty()) blocks.push_back(body(QStringLiteral("Nothing is stated as unchecked.")));
+    TextBlocks blocks{heading(sheetText("Not checked"))};
+    for (const std::string& text : study.notChecked) blocks.push_back(body(sheetRuleText(text)));
+    if (study.notChecked.empty()) blocks.push_back(body(sheetText("Nothing is stated as unchecked.")));
     return blocks;
 }
 
@@ -110,7 +111,7 @@ TextBlocks notCheckedBlocks(const ReviewStudy& study) {
 TextBlocks sumBlocks(const ReviewScene& scene) {
     constexpr std::size_t fewDays = 31;
     if (scene.sun.sun.days.size() <= fewDays) return {};
-    TextBlocks blocks{heading(QStringLiteral("Sums over the days of the rule"))};
+    TextBlocks blocks{heading(sheetText("Sums over the days of the rule"))};
     for (const PlaceRow& row : scene.list.rows) {
         const PlaceReview& place = scene.source.study.places[row.reviews.front()];
         const ReviewTotals& sum = place.totals;
@@ -120,11 +121,10 @@ TextBlocks sumBlocks(const ReviewScene& scene) {
                 .arg(QString::fromStdString(formatAreaHours(m2h, scene.settings.units)),
                      describeAmount(100 * m2h / sum.theoreticalM2h, 3));
         };
-        blocks.push_back(
-            body(QStringLiteral("%1: existing shadow %2 of the theoretical sun; incremental %3; "
-                                "most on %4.")
-                     .arg(plainText(place.name), text(sum.baselineM2h), text(sum.incrementalM2h),
-                          sum.largestDay ? dayText(*sum.largestDay) : QStringLiteral("no day"))));
+        blocks.push_back(body(sheetText("%1: existing shadow %2 of the theoretical sun; incremental %3; "
+                                        "most on %4.")
+                                  .arg(plainText(place.name), text(sum.baselineM2h), text(sum.incrementalM2h),
+                                       sum.largestDay ? dayText(*sum.largestDay) : sheetText("no day"))));
     }
     return blocks;
 }
@@ -155,8 +155,8 @@ QString momentText(const ReviewScene& scene, std::size_t review) {
         return std::ranges::find(one.reviews, review) != one.reviews.end();
     });
     const QString name = row == scene.list.rows.end() ? plainText(place.name) : numberedName(*row);
-    return QStringLiteral("the most incremental shadow on %1 (%2) at one moment")
-        .arg(name, plainText(nameVerdict(place)));
+    return sheetText("the most incremental shadow on %1 (%2) at one moment")
+        .arg(name, sheetText(nameVerdict(place)));
 }
 
 Result<void> addPicture(const ReviewScene& scene, BookPage& page, const QRectF& area, Progress& progress,
@@ -173,7 +173,7 @@ Result<void> addPicture(const ReviewScene& scene, BookPage& page, const QRectF& 
     if (worst->place) diagram->caption.first += QStringLiteral(": ") + momentText(scene, *worst->place);
     page.items.push_back({picture, *std::move(diagram)});
     DiagramFoot legend = makeFoot(scene, layout.scale, DiagramFoot::Subject::shadows);
-    if (scene.keyPt > 0) legend.note = QStringLiteral("Numbers in a white field: places of the table.");
+    if (scene.keyPt > 0) legend.note = sheetText("Numbers in a white field: places of the table.");
     page.items.push_back({{area.left(), area.bottom() - foot, area.width(), foot}, std::move(legend)});
     return {};
 }
@@ -212,8 +212,8 @@ std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const Q
         PageTable more = verdictTable(scene, points);
         more.rows.erase(more.rows.begin(), more.rows.begin() + std::ptrdiff_t(shown));
         more.marks.erase(more.marks.begin(), more.marks.begin() + std::ptrdiff_t(shown));
-        pages = makeTablePages(setup, {QStringLiteral("Verdicts"), {}, {}, 0, {}},
-                               {{QStringLiteral("Verdicts, continued"), {}, std::move(more)}});
+        pages = makeTablePages(setup, {sheetText("Verdicts"), {}, {}, 0, {}},
+                               {{sheetText("Verdicts, continued"), {}, std::move(more)}});
     }
     if (isRestFirst) return pages;
     left = left.adjusted(0, used + gap, 0, 0);
@@ -221,7 +221,7 @@ std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const Q
         page.items.push_back({left, PageText{rest, points}});
         return pages;
     }
-    for (BookPage& more : makeTextPages(setup, {QStringLiteral("Summary"), {}, {}, 0, {}}, rest))
+    for (BookPage& more : makeTextPages(setup, {sheetText("Summary"), {}, {}, 0, {}}, rest))
         pages.push_back(std::move(more));
     return pages;
 }
@@ -231,7 +231,7 @@ std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const Q
 Result<std::vector<BookPage>> makeSummaryPages(const ReviewScene& scene, Progress& progress,
                                                const std::stop_token& stop) {
     const Rule& rule = scene.source.study.rule;
-    BookPage page{plainText(rule.name), plainText(rule.where), QStringLiteral("Summary"), 0, {}};
+    BookPage page{sheetRuleText(rule.name), sheetRuleText(rule.where), sheetText("Summary"), 0, {}};
     const auto [picture, text] = halvesOf(scene.settings.setup);
     if (const auto done = addPicture(scene, page, picture, progress, stop); !done)
         return tl::make_unexpected(done.error());

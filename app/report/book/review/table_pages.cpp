@@ -2,6 +2,7 @@
 
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
+#include "app/report/maps/sheet_text.h"
 #include "app/report/sheets/study_text.h"
 #include "core/review/places/review_columns.h"
 #include "core/review/places/verdict_text.h"
@@ -30,8 +31,7 @@ bool isLeftOut(const ReviewScene& scene, const PlaceReview& review, const Review
 QString leftOutText(const ReviewScene& scene) {
     const std::size_t listed = singleRows(scene).size(), all = scene.source.study.places.size();
     if (listed == all) return {};
-    return QStringLiteral("%1 of %2 places; review.csv has all")
-        .arg(describeCount(listed), describeCount(all));
+    return sheetText("%1 of %2 places; review.csv has all").arg(describeCount(listed), describeCount(all));
 }
 
 /// The rule's own table.
@@ -39,7 +39,7 @@ std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
     PageTable table{{}, {}, {}, {}, denseTablePt * textScale(scene.settings.setup)};
     const auto columns = columnsIn(scene.settings.units, study.rule.deliverables.columns);
-    for (const RuleColumn& column : columns) table.titles.push_back(plainText(column.title));
+    for (const RuleColumn& column : columns) table.titles.push_back(sheetRuleText(column.title));
     if (table.titles.empty()) return std::nullopt;
     std::size_t leftOut = 0;
     for (const PlaceRow* listed : singleRows(scene)) {
@@ -51,19 +51,19 @@ std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
             }
             auto& texts = table.rows.emplace_back();
             for (const RuleColumn& column : columns)
-                texts.push_back(column.key == "place" ? numberedName(*listed)
-                                                      : plainText(columnText(review, row, column.key)));
+                texts.push_back(column.key == "place"
+                                    ? numberedName(*listed)
+                                    : plainText(localNumbers(columnText(review, row, column.key))));
         }
     }
     if (table.rows.empty()) return std::nullopt;
-    QString note = leftOut == 0
-                       ? QString()
-                       : QStringLiteral(". %1 days without incremental shadow are in review.csv only")
-                             .arg(describeCount(leftOut));
+    QString note = leftOut == 0 ? QString()
+                                : sheetText(". %1 days without incremental shadow are in review.csv only")
+                                      .arg(describeCount(leftOut));
     if (const QString places = leftOutText(scene); !places.isEmpty()) note += QStringLiteral(". ") + places;
     return NamedTable{
-        QStringLiteral("Table of the rule"),
-        QStringLiteral("%1, clock: %2%3").arg(plainText(study.rule.name), plainText(study.clock), note),
+        sheetText("Table of the rule"),
+        sheetText("%1, clock: %2%3").arg(sheetRuleText(study.rule.name), clockText(scene), note),
         std::move(table)};
 }
 
@@ -80,9 +80,8 @@ void removeColumn(PageTable& table, qsizetype column) {
 
 /// The numbers behind the verdicts.
 std::optional<NamedTable> criteriaTable(const ReviewScene& scene) {
-    PageTable table{{QStringLiteral("Place"), QStringLiteral("Criterion"), QStringLiteral("Measured"),
-                     QStringLiteral("Former"), QStringLiteral("Limit"), QStringLiteral("Deciding day"),
-                     QStringLiteral("Result")},
+    PageTable table{{sheetText("Place"), sheetText("Criterion"), sheetText("Measured"), sheetText("Former"),
+                     sheetText("Limit"), sheetText("Deciding day"), sheetText("Result")},
                     {},
                     {},
                     {},
@@ -97,14 +96,13 @@ std::optional<NamedTable> criteriaTable(const ReviewScene& scene) {
             const auto measured = [&](const std::optional<Measured>& value) {
                 return value ? plainText(formatMeasured(criterion.measure, value->value, units)) : none;
             };
-            table.rows.push_back({numberedName(*listed),
-                                  plainText(criterion.name) +
-                                      (criterion.advisory ? QStringLiteral(" (does not decide)") : QString()),
-                                  measured(result.value), measured(result.former),
-                                  criterion.limits.empty() ? QStringLiteral("none")
-                                                           : plainText(describeLimits(criterion, units)),
-                                  result.day ? dayText(*result.day) : none,
-                                  plainText(nameOf(result.verdict))});
+            table.rows.push_back(
+                {numberedName(*listed),
+                 sheetRuleText(criterion.name) +
+                     (criterion.advisory ? sheetText(" (does not decide)") : QString()),
+                 measured(result.value), measured(result.former),
+                 criterion.limits.empty() ? sheetText("none") : plainText(describeLimits(criterion, units)),
+                 result.day ? dayText(*result.day) : none, sheetText(nameOf(result.verdict))});
         }
     }
     if (table.rows.empty()) return std::nullopt;
@@ -112,9 +110,9 @@ std::optional<NamedTable> criteriaTable(const ReviewScene& scene) {
     if (isEmptyColumn(table, formerColumn, none))
         removeColumn(table, formerColumn);
     else
-        notes << QStringLiteral("Former: the same in the baseline, where a limit compares with it");
+        notes << sheetText("Former: the same in the baseline, where a limit compares with it");
     if (const QString leftOut = leftOutText(scene); !leftOut.isEmpty()) notes << leftOut;
-    return NamedTable{QStringLiteral("Criteria: the figures behind the verdicts"),
+    return NamedTable{sheetText("Criteria: the figures behind the verdicts"),
                       notes.join(QStringLiteral(". ")), std::move(table)};
 }
 
@@ -131,15 +129,14 @@ QString shareText(const ReviewTotals& totals, double m2h) {
 std::optional<NamedTable> sumTable(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
     if (scene.sun.sun.days.size() <= maxDaysAll) return std::nullopt;
-    PageTable table{{QStringLiteral("Place"), QStringLiteral("Theoretical sun"),
-                     QStringLiteral("Existing shadow"), QStringLiteral("share"),
-                     QStringLiteral("With proposal"), QStringLiteral("share"), QStringLiteral("Incremental"),
-                     QStringLiteral("share"), QStringLiteral("Days with incremental shadow"),
-                     QStringLiteral("Day of most"), QStringLiteral("Duration on it")},
-                    {},
-                    {},
-                    {},
-                    denseTablePt * textScale(scene.settings.setup)};
+    PageTable table{
+        {sheetText("Place"), sheetText("Theoretical sun"), sheetText("Existing shadow"), sheetText("share"),
+         sheetText("With proposal"), sheetText("share"), sheetText("Incremental"), sheetText("share"),
+         sheetText("Days with incremental shadow"), sheetText("Day of most"), sheetText("Duration on it")},
+        {},
+        {},
+        {},
+        denseTablePt * textScale(scene.settings.setup)};
     for (const PlaceRow* listed : singleRows(scene)) {
         const ReviewTotals& sum = study.places[listed->reviews.front()].totals;
         table.rows.push_back({numberedName(*listed), areaHours(scene, sum.theoreticalM2h),
@@ -148,10 +145,10 @@ std::optional<NamedTable> sumTable(const ReviewScene& scene) {
                               areaHours(scene, sum.incrementalM2h), shareText(sum, sum.incrementalM2h),
                               describeAmount(sum.daysWithIncremental, 0),
                               sum.largestDay ? dayText(*sum.largestDay) : QStringLiteral("-"),
-                              describeAmount(sum.largestDayDurationMin, 0) + QStringLiteral(" min")});
+                              describeAmount(sum.largestDayDurationMin, 0) + sheetText(" min")});
     }
-    return NamedTable{QStringLiteral("Sums"),
-                      QStringLiteral("Over the days of the rule; shares of the theoretical sun"),
+    return NamedTable{sheetText("Sums"),
+                      sheetText("Over the days of the rule; shares of the theoretical sun"),
                       std::move(table)};
 }
 
@@ -159,44 +156,42 @@ std::optional<NamedTable> sumTable(const ReviewScene& scene) {
 std::optional<NamedTable> seasonTable(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
     if (scene.sun.sun.days.size() <= maxDaysAll || study.rule.days.mirrored) return std::nullopt;
-    PageTable table{
-        {QStringLiteral("Place"), QStringLiteral("Months"), QStringLiteral("Days with shadow"),
-         QStringLiteral("Enters at the earliest"), QStringLiteral("Exits at the latest"),
-         QStringLiteral("Longest on a day"), QStringLiteral("Largest area"), QStringLiteral("Incremental")},
-        {},
-        {},
-        {},
-        denseTablePt * textScale(scene.settings.setup)};
+    PageTable table{{sheetText("Place"), sheetText("Months"), sheetText("Days with shadow"),
+                     sheetText("Enters at the earliest"), sheetText("Exits at the latest"),
+                     sheetText("Longest on a day"), sheetText("Largest area"), sheetText("Incremental")},
+                    {},
+                    {},
+                    {},
+                    denseTablePt * textScale(scene.settings.setup)};
     for (const PlaceRow* listed : singleRows(scene))
         for (const SeasonSum& season : sumSeasons(study.places[listed->reviews.front()])) {
             if (season.daysWithShadow <= 0) continue;
             const UnitSystem units = scene.settings.units;
             table.rows.push_back(
-                {numberedName(*listed), plainText(season.months),
-                 QStringLiteral("%1 of %2")
+                {numberedName(*listed), sheetText(season.months),
+                 sheetText("%1 of %2")
                      .arg(describeAmount(season.daysWithShadow, 0), describeAmount(season.days, 0)),
                  plainText(season.earliest), plainText(season.latest),
-                 describeAmount(season.longestMin, 0) + QStringLiteral(" min"),
+                 describeAmount(season.longestMin, 0) + sheetText(" min"),
                  QString::fromStdString(formatArea(season.maxAreaM2, units)),
                  areaHours(scene, season.incrementalM2h)});
         }
     if (table.rows.empty()) return std::nullopt;
-    return NamedTable{QStringLiteral("Incremental shadow by season"),
-                      QStringLiteral("Seasons without incremental shadow are left out. Clock: %1")
-                          .arg(plainText(study.clock)),
-                      std::move(table)};
+    return NamedTable{
+        sheetText("Incremental shadow by season"),
+        sheetText("Seasons without incremental shadow are left out. Clock: %1").arg(clockText(scene)),
+        std::move(table)};
 }
 
 /// Which new building takes how much sun from which place; places that none reaches are left out.
 std::optional<NamedTable> contributionTable(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
-    PageTable table{
-        {QStringLiteral("New building"), QStringLiteral("Place"), QStringLiteral("Shadow"),
-         QStringLiteral("share of the theoretical sun"), QStringLiteral("of the proposal's shadow")},
-        {},
-        {},
-        {},
-        denseTablePt * textScale(scene.settings.setup)};
+    PageTable table{{sheetText("New building"), sheetText("Place"), sheetText("Shadow"),
+                     sheetText("share of the theoretical sun"), sheetText("of the proposal's shadow")},
+                    {},
+                    {},
+                    {},
+                    denseTablePt * textScale(scene.settings.setup)};
     for (const ReviewContribution& building : study.contributions)
         for (const PlaceRow* listed : singleRows(scene)) {
             const std::size_t i = listed->reviews.front();
@@ -211,10 +206,9 @@ std::optional<NamedTable> contributionTable(const ReviewScene& scene) {
         }
     if (table.rows.empty()) return std::nullopt;
     return NamedTable{
-        QStringLiteral("Sole contributions of the new buildings"),
-        QStringLiteral(
-            "What each casts where the baseline and all others of the proposal leave the sun, over the "
-            "days of the rule; shadow that two of them share is in neither row"),
+        sheetText("Sole contributions of the new buildings"),
+        sheetText("What each casts where the baseline and all others of the proposal leave the sun, over the "
+                  "days of the rule; shadow that two of them share is in neither row"),
         std::move(table)};
 }
 
@@ -226,8 +220,8 @@ std::vector<BookPage> makeReviewTablePages(const ReviewScene& scene) {
                         ruleTable(scene)})
         if (table) tables.push_back(table.value());
     if (tables.empty()) return {};
-    return makeTablePages(scene.settings.setup,
-                          {QStringLiteral("Tables"), {}, QStringLiteral("Tables"), 0, {}}, std::move(tables));
+    return makeTablePages(scene.settings.setup, {sheetText("Tables"), {}, sheetText("Tables"), 0, {}},
+                          std::move(tables));
 }
 
 }  // namespace noonmark

@@ -8,6 +8,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/review/verdict_table.h"
 #include "app/gui/docks/study_form/element_form.h"
@@ -173,7 +175,7 @@ void GlazingTable::choose(std::size_t window) {
 void GlazingTable::showColumns() {
     QStringList titles{tr("Window"), tr("Before"), tr("After"), tr("Floor"), tr("Faces"), tr("Building")};
     for (const Criterion& criterion : answer_->study.rule.criteria) {
-        const QString name = QString::fromStdString(criterion.name);
+        const QString name = ruleName(criterion.name);
         titles << tr("%1, before").arg(name) << tr("%1, after").arg(name);
     }
     setColumnCount(int(titles.size()));
@@ -224,9 +226,8 @@ void GlazingTable::describe(const QTreeWidgetItem* item) {
     if (item == nullptr || !answer_) return Q_EMIT described({});
     const GlazingReview& review = *rows_[item->data(0, rowRole).toULongLong()];
     const GlazingStudy& study = answer_->study;
-    QString words =
-        tr("%1: %2.").arg(QString::fromStdString(review.window.id),
-                          localiseNumbers(QString::fromStdString(describeReason(study.rule, review))));
+    QString words = tr("%1: %2.").arg(QString::fromStdString(review.window.id),
+                                      inWindowWords([&] { return describeReason(study.rule, review); }));
     if (review.day) {
         const auto bands = [&](const std::vector<SunBand>& of) {
             const std::string text = bandsText(study, *review.day, of);

@@ -1,4 +1,4 @@
-#include "app/gui/base/looks/language.h"
+#include "app/language/language.h"
 
 #include <QCoreApplication>
 #include <QLibraryInfo>
@@ -49,8 +49,11 @@ void install(const QString& file, const QString& folder, QCoreApplication& appli
 namespace {
 
 std::atomic<int> changes = 0;
+std::atomic<Language> languageOfWindow = Language::english;
 
 }  // namespace
+
+Language languageInUse() { return languageOfWindow; }
 
 int countLanguageChanges() { return changes; }
 
@@ -85,6 +88,8 @@ void applyLanguage(Language language, QCoreApplication& application) {
     qDeleteAll(application.findChildren<QTranslator*>(translatorName));
     noteLanguageChange();
     const QString code = findTranslation(language, QLocale::system().uiLanguages());
+    for (const LanguageEntry& entry : languages)
+        if (code == QLatin1String(entry.code)) languageOfWindow = entry.language;
     // Qt took the decimal comma of the system for C functions too, which read and write files.
     std::setlocale(LC_NUMERIC, "C");
     QLocale::setDefault(chooseLocale(code, QLocale::system()));

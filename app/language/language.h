@@ -1,7 +1,7 @@
 #pragma once
 
-// The language of the window: which translation it shows and how it writes numbers and dates. Files, errors
-// of core and the sheets of a report are English in every language.
+// The language of the window: which translation it shows and how it writes numbers and dates, and that of
+// sheets. Files that programs read and most errors of core are English in every language.
 
 #include <QLocale>
 #include <QString>
@@ -39,6 +39,9 @@ QLocale chooseLocale(const QString& code, const QLocale& system);
 /// locale the default. Before any widget: texts already shown do not change. Translators that an earlier call
 /// installed are removed.
 void applyLanguage(Language language, QCoreApplication& application);
+
+/// The language that applyLanguage() chose, never Language::system; English before.
+Language languageInUse();
 
 /// How often the language has changed: what was translated under another count is found anew. Whoever
 /// installs a translator by hand notes it.
