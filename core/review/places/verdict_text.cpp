@@ -10,6 +10,8 @@ namespace noonmark {
 
 namespace {
 
+constexpr std::string_view figuresOnly = "figures only";
+
 std::string formatMinutes(double value) {
     if (value < 60) return fmt::format("{:.4g} min", value);
     const double minutes = std::round(value * 10) / 10;
@@ -54,23 +56,29 @@ std::string describeLimits(const Criterion& criterion, UnitSystem units) {
     return text;
 }
 
-std::string describeResult(const Criterion& criterion, const CriterionResult& result, UnitSystem units) {
+std::string describeResult(const Criterion& criterion, const CriterionResult& result, UnitSystem units,
+                           WriteDate writeDate) {
     std::string text =
         fmt::format("{}: {}", criterion.name, formatMeasured(criterion.measure, result.value->value, units));
     if (result.former)
         text += fmt::format(" (former {})", formatMeasured(criterion.measure, result.former->value, units));
-    if (result.day) text += fmt::format(" on {}", formatText(*result.day));
+    if (result.day) text += fmt::format(" on {}", writeDate(*result.day));
     return text + ", wanted " + describeLimits(criterion, units);
 }
 
 std::string_view nameVerdict(const PlaceReview& review) {
-    if (review.reasonNotJudged == noLimitForPlace) return "figures only";
+    if (review.reasonNotJudged == noLimitForPlace) return figuresOnly;
     return nameOf(review.verdict);
 }
 
-std::string describeReason(const PlaceReview& review, UnitSystem units) {
+std::string_view nameResult(const Criterion& criterion, const CriterionResult& result) {
+    return criterion.limits.empty() ? figuresOnly : nameOf(result.verdict);
+}
+
+std::string describeReason(const PlaceReview& review, UnitSystem units, WriteDate writeDate) {
     if (!review.deciding) return review.reasonNotJudged;
-    return describeResult(review.criteria[*review.deciding], review.results[*review.deciding], units);
+    return describeResult(review.criteria[*review.deciding], review.results[*review.deciding], units,
+                          writeDate);
 }
 
 }  // namespace noonmark

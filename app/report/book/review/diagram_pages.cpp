@@ -9,13 +9,13 @@
 #include "app/report/sheets/study_text.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_outlines.h"
+#include "core/review/places/verdict_text.h"
 #include "core/review/rule/rule_days.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr double maxFanScale = 10000;
 constexpr double pictureDpi = 200;
 constexpr double maxPicturePixels = 2200;  // a picture for large paper need not be finer
 constexpr std::size_t maxSunViewsADay = 3;
@@ -42,13 +42,21 @@ QString planeText(const ReviewScene& scene) {
         .arg(describeAmount(*planeM, 2));
 }
 
-/// Of the verdicts whose colours are on the map.
+/// Of the verdicts whose colours are on the map, as tables name them.
 std::vector<LegendPatch> verdictPatches(const ReviewScene& scene) {
     std::vector<LegendPatch> patches;
-    for (const Verdict verdict : {Verdict::fail, Verdict::borderline, Verdict::pass, Verdict::notApplicable})
-        if (std::ranges::find(scene.diagrams->placeColours, verdictMark(verdict)) !=
+    for (const Verdict verdict :
+         {Verdict::fail, Verdict::borderline, Verdict::pass, Verdict::notApplicable}) {
+        if (std::ranges::find(scene.diagrams->placeColours, verdictMark(verdict)) ==
             scene.diagrams->placeColours.end())
-            patches.push_back({verdictMark(verdict), QStringLiteral("place: ") + plainText(nameOf(verdict))});
+            continue;
+        QStringList names;
+        for (const PlaceReview& place : scene.source.study.places)
+            if (place.verdict == verdict) names << plainText(nameVerdict(place));
+        names.removeDuplicates();
+        patches.push_back(
+            {verdictMark(verdict), QStringLiteral("place: ") + names.join(QStringLiteral(" or "))});
+    }
     return patches;
 }
 
@@ -95,6 +103,12 @@ std::vector<DiagramMoment> fewOf(const std::vector<DiagramMoment>& all) {
     if (noon != all.begin() && noon != all.end() - 1) few.push_back(*noon);
     few.push_back(all.back());
     return few;
+}
+
+/// Columns and rows: pictures of the sun's view are small where they are many.
+std::pair<int, int> sunViewGrid(const PageSetup& setup, std::size_t count) {
+    if (count <= 3) return setup.landscape ? std::pair{2, 2} : std::pair{1, 3};
+    return setup.landscape ? std::pair{3, 2} : std::pair{2, 3};
 }
 
 /// Puts items into the cells of pages, one after the other. A page is named by the days that begin on it.
@@ -237,8 +251,9 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
     if (scene.diagrams->proposal.buildings.empty()) return std::vector<BookPage>{};
     const PageSetup& setup = scene.settings.setup;
     const double scale = textScale(setup);
-    const auto grid = setup.landscape ? std::pair{2, 1} : std::pair{1, 2};
-    const auto areas = diagramAreas(scene, grid.first, grid.second);
+    const auto days = byDay(scene.moments);
+    const int beside = days.size() > 1 ? 2 : 1;  // one alone has the page
+    const auto areas = setup.landscape ? diagramAreas(scene, beside, 1) : diagramAreas(scene, 1, beside);
     std::vector<DayDiagram> diagrams;
     const MomentPages pages(
         QStringLiteral("Shadow fans"),
@@ -248,12 +263,11 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
         areas);
     const City proposal = keepOwnBuildings(scene.after, scene.before);
     double commonScale = 0;  // the foot of a page states one
-    for (const auto& [day, moments] : byDay(scene.moments))
-        commonScale =
-            std::max(commonScale, fitInto(areas.front(), scale, reachOf(scene, moments), maxFanScale).scale);
-    for (const auto& [day, moments] : byDay(scene.moments)) {
+    for (const auto& [day, moments] : days)
+        commonScale = std::max(commonScale, fitInto(areas.front(), scale, frameOf(scene, moments)).scale);
+    for (const auto& [day, moments] : days) {
         progress.report(0, NM_TEXT("drawing shadow fans"));
-        DiagramLayout layout = fitInto(areas.front(), scale, reachOf(scene, moments), maxFanScale);
+        DiagramLayout layout = fitInto(areas.front(), scale, frameOf(scene, moments));
         layout.scale = commonScale;
         const Box2 ground = groundOf(layout.centre, layout.scale, mapAreaOf(areas.front(), scale));
         std::vector<SunStep> steps;
@@ -298,7 +312,11 @@ Result<std::vector<BookPage>> makeIsochronePages(const ReviewScene& scene, Progr
 Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progress& progress,
                                                const std::stop_token& stop) {
     const PageSetup& setup = scene.settings.setup;
-    const auto areas = gridAreas(setup, setup.landscape ? 2 : 1, setup.landscape ? 2 : 3);
+    std::vector<DayMoments> days = byDay(scene.moments);
+    std::size_t count = 0;
+    for (DayMoments& day : days) count += (day.moments = fewOf(day.moments)).size();
+    const auto [columns, rows] = sunViewGrid(setup, count);
+    const auto areas = gridAreas(setup, columns, rows);
     const double scale = textScale(setup);
     const QSizeF picture = mapAreaOf(areas.front(), scale).size() * pictureDpi / 72;
     const QSize size = (picture * std::min(1.0, maxPicturePixels / picture.width())).toSize();
@@ -313,8 +331,9 @@ Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progres
                        "what is hidden is in shadow. The proposal is violet, places are green.")
             .arg(plainText(scene.source.labels.to)),
         areas);
-    for (const auto& [day, moments] : byDay(scene.moments))
-        for (const DiagramMoment& moment : fewOf(moments)) {
+    pages.spread(count);
+    for (const auto& [day, moments] : days)
+        for (const DiagramMoment& moment : moments) {
             if (stop.stop_requested()) return cancelled();
             progress.report(0, NM_TEXT("drawing views from the sun"));
             const QRectF area = pages.next(day).first;

@@ -21,10 +21,35 @@ std::vector<const PlaceRow*> singleRows(const ReviewScene& scene) {
     return rows;
 }
 
-/// Rows without incremental shadow are left out of long tables, and where the place has others.
+bool hasManyDays(const PlaceReview& review) { return review.rows.size() > maxDaysAll; }
+
+/// The day of a month with most incremental shadow, the first of equal ones.
+bool isWorstOfMonth(const PlaceReview& review, const ReviewRow& row) {
+    const auto sortKey = [](const ReviewRow& one) { return std::pair(-one.incrementalM2h, one.day); };
+    return std::ranges::none_of(review.rows, [&](const ReviewRow& other) {
+        return other.day.year() == row.day.year() && other.day.month() == row.day.month() &&
+               sortKey(other) < sortKey(row);
+    });
+}
+
+/// Rows without incremental shadow are left out of long tables, and where the place has others. Of many days
+/// one a month is listed unless all pages are asked for.
 bool isLeftOut(const ReviewScene& scene, const PlaceReview& review, const ReviewRow& row) {
-    if (row.durationMin > 0) return false;
-    return review.rows.size() > maxDaysAll || (!scene.settings.allPages && review.totals.incrementalM2h > 0);
+    const bool all = scene.settings.allPages;
+    if (row.durationMin > 0) return !all && hasManyDays(review) && !isWorstOfMonth(review, row);
+    return hasManyDays(review) || (!all && review.totals.incrementalM2h > 0);
+}
+
+/// ". 353 days are in review.csv only: ..."
+QString leftOutDaysText(const ReviewScene& scene, std::size_t days) {
+    if (days == 0) return {};
+    const QString which =
+        scene.settings.allPages || scene.sun.sun.days.size() <= maxDaysAll
+            ? QStringLiteral(". %1 days without incremental shadow are in review.csv only")
+            : QStringLiteral(
+                  ". Of each month the day of most incremental shadow; %1 further days are in "
+                  "review.csv, and here with the option --all-pages");
+    return which.arg(describeCount(days));
 }
 
 QString leftOutText(const ReviewScene& scene) {
@@ -52,14 +77,12 @@ std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
             auto& texts = table.rows.emplace_back();
             for (const RuleColumn& column : columns)
                 texts.push_back(column.key == "place" ? numberedName(*listed)
+                                : column.key == "day" ? dayText(row.day)
                                                       : plainText(columnText(review, row, column.key)));
         }
     }
     if (table.rows.empty()) return std::nullopt;
-    QString note = leftOut == 0
-                       ? QString()
-                       : QStringLiteral(". %1 days without incremental shadow are in review.csv only")
-                             .arg(describeCount(leftOut));
+    QString note = leftOutDaysText(scene, leftOut);
     if (const QString places = leftOutText(scene); !places.isEmpty()) note += QStringLiteral(". ") + places;
     return NamedTable{
         QStringLiteral("Table of the rule"),
@@ -104,7 +127,7 @@ std::optional<NamedTable> criteriaTable(const ReviewScene& scene) {
                                   criterion.limits.empty() ? QStringLiteral("none")
                                                            : plainText(describeLimits(criterion, units)),
                                   result.day ? dayText(*result.day) : none,
-                                  plainText(nameOf(result.verdict))});
+                                  plainText(nameResult(criterion, result))});
         }
     }
     if (table.rows.empty()) return std::nullopt;
@@ -220,11 +243,15 @@ std::optional<NamedTable> contributionTable(const ReviewScene& scene) {
 
 }  // namespace
 
-std::vector<BookPage> makeReviewTablePages(const ReviewScene& scene) {
+std::vector<NamedTable> listReviewTables(const ReviewScene& scene) {
     std::vector<NamedTable> tables;
     for (auto& table : {sumTable(scene), seasonTable(scene), contributionTable(scene), criteriaTable(scene),
                         ruleTable(scene)})
         if (table) tables.push_back(table.value());
+    return tables;
+}
+
+std::vector<BookPage> makeReviewTablePages(const ReviewScene& scene, std::vector<NamedTable> tables) {
     if (tables.empty()) return {};
     return makeTablePages(scene.settings.setup,
                           {QStringLiteral("Tables"), {}, QStringLiteral("Tables"), 0, {}}, std::move(tables));
