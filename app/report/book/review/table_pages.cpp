@@ -40,15 +40,14 @@ bool isLeftOut(const ReviewScene& scene, const PlaceReview& review, const Review
     return hasManyDays(review) || (!all && review.totals.incrementalM2h > 0);
 }
 
-/// ". 353 days are in review.csv only: ..."
-QString leftOutDaysText(const ReviewScene& scene, std::size_t days) {
+/// What a table says of the days that it leaves out; `isMonthly`: among them days with incremental shadow.
+QString leftOutDaysText(std::size_t days, bool isMonthly) {
     if (days == 0) return {};
     const QString which =
-        scene.settings.allPages || scene.sun.sun.days.size() <= maxDaysAll
-            ? QStringLiteral(". %1 days without incremental shadow are in review.csv only")
-            : QStringLiteral(
-                  ". Of each month the day of most incremental shadow; %1 further days are in "
-                  "review.csv, and here with the option --all-pages");
+        !isMonthly ? QStringLiteral(". %1 days without incremental shadow are in review.csv only")
+                   : QStringLiteral(
+                         ". Of each month the day of most incremental shadow; %1 further days are in "
+                         "review.csv, and here with the option --all-pages");
     return which.arg(describeCount(days));
 }
 
@@ -67,11 +66,13 @@ std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
     for (const RuleColumn& column : columns) table.titles.push_back(plainText(column.title));
     if (table.titles.empty()) return std::nullopt;
     std::size_t leftOut = 0;
+    bool isMonthly = false;
     for (const PlaceRow* listed : singleRows(scene)) {
         const PlaceReview& review = study.places[listed->reviews.front()];
         for (const ReviewRow& row : review.rows) {
             if (isLeftOut(scene, review, row)) {
                 ++leftOut;
+                isMonthly = isMonthly || row.durationMin > 0;
                 continue;
             }
             auto& texts = table.rows.emplace_back();
@@ -82,7 +83,7 @@ std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
         }
     }
     if (table.rows.empty()) return std::nullopt;
-    QString note = leftOutDaysText(scene, leftOut);
+    QString note = leftOutDaysText(leftOut, isMonthly);
     if (const QString places = leftOutText(scene); !places.isEmpty()) note += QStringLiteral(". ") + places;
     return NamedTable{
         QStringLiteral("Table of the rule"),
