@@ -420,7 +420,7 @@ struct MovesWithSheets final : QObject {
     explicit MovesWithSheets(ExportDialog& watched) : dialog(watched) { watched.installEventFilter(this); }
     bool eventFilter(QObject*, QEvent* event) override {
         const bool moves = event->type() == QEvent::Resize || event->type() == QEvent::Move;
-        moved |= moves && dialog.pages().isEnabled();
+        moved |= moves && dialog.pages().hasPages();
         return false;
     }
 };
