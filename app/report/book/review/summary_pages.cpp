@@ -238,8 +238,8 @@ void lowerText(const PageSetup& setup, std::vector<PageItem>& texts, const QRect
     if (setup.landscape) return;
     double bottom = text.top();
     for (const PageItem& item : texts) bottom = std::max(bottom, item.area.bottom());
-    const double most = maxPicture * contentArea(setup).height() - picture.height();
-    const double by = std::clamp(text.bottom() - bottom, 0.0, std::max(0.0, most));
+    const double spare = maxPicture * contentArea(setup).height() - picture.height();
+    const double by = std::clamp(text.bottom() - bottom, 0.0, std::max(0.0, spare));
     for (PageItem& item : texts) item.area.translate(0, by);
     picture.setHeight(picture.height() + by);
 }
