@@ -6,8 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "core/review/places/verdict_text.h"
-
 namespace noonmark {
 
 namespace {
@@ -330,9 +328,10 @@ GlazingReview reviewGlazing(const Rule& rule, const RuleSun& sun, const Reviewed
     return review;
 }
 
-std::string describeReason(const Rule& rule, const GlazingReview& review) {
+std::string describeReason(const Rule& rule, const GlazingReview& review, WriteDate writeDate) {
     if (!review.deciding) return review.reasonNotJudged;
-    return describeResult(rule.criteria[*review.deciding], review.results[*review.deciding]);
+    return describeResult(rule.criteria[*review.deciding], review.results[*review.deciding],
+                          UnitSystem::metric, writeDate);
 }
 
 }  // namespace noonmark

@@ -278,8 +278,9 @@ void ReviewDock::showDetails() {
     details_->setVisible(answer_ && chosenDay_);
     if (!answer_ || !chosenDay_) return;
     const PlaceReview& place = answer_->study.places[chosen_];
-    QString text = tr("%1: %2.").arg(placeName(place.name),
-                                     localiseNumbers(QString::fromStdString(describeReason(place, units_))));
+    QString text =
+        tr("%1: %2.").arg(placeName(place.name),
+                          localiseNumbers(QString::fromStdString(describeReason(place, units_, writeDay))));
     if (!hasFewDays(answer_->question.rule)) text += u' ' + describeSums(place.totals, units_);
     details_->setText(text);
 }

@@ -145,8 +145,6 @@ double middleOf(double wideLow, double wideHigh, double narrowLow, double narrow
     return low <= high ? std::clamp(wide, low, high) : (narrowLow + narrowHigh) / 2;
 }
 
-glm::dvec2 middleOf(const Box2& box) { return glm::dvec2(box.low + box.high) / 2.0; }
-
 glm::dvec2 centreOf(const Box2& wide, const Box2& narrow, glm::dvec2 shown) {
     return {middleOf(wide.low.x, wide.high.x, narrow.low.x, narrow.high.x, shown.x),
             middleOf(wide.low.y, wide.high.y, narrow.low.y, narrow.high.y, shown.y)};
