@@ -70,7 +70,7 @@ double addFinding(BookPage& page, const QString& finding, const QRectF& all, dou
 }
 
 /// Of upright paper the share that figures have beside a second map, of paper on its side beside any.
-constexpr double besideMap = 0.38, besideMaps = 0.3;
+constexpr double besideMap = 0.42, besideMaps = 0.3;
 
 PageTable tableOfFigures(const Sheet& sheet, const PageSetup& setup) {
     PageTable table{

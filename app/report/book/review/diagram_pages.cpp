@@ -160,6 +160,25 @@ private:
     std::optional<CivilDate> day_;
 };
 
+/// The scale at which an area holds the fan of each day: the foot of a page states one.
+double fanScale(const ReviewScene& scene, const std::vector<DayMoments>& days, const QRectF& area) {
+    double scale = 0;
+    for (const DayMoments& day : days)
+        scale = std::max(scale,
+                         fitInto(area, textScale(scene.settings.setup), frameOf(scene, day.moments)).scale);
+    return scale;
+}
+
+/// One fan alone has the page; four have one where they can be read.
+std::vector<QRectF> fanAreas(const ReviewScene& scene, const std::vector<DayMoments>& days) {
+    constexpr double maxScaleOfFour = 6000;
+    if (days.size() > 2)
+        if (auto four = diagramAreas(scene, 2, 2); fanScale(scene, days, four.front()) <= maxScaleOfFour)
+            return four;
+    const int beside = days.size() > 1 ? 2 : 1;
+    return scene.settings.setup.landscape ? diagramAreas(scene, beside, 1) : diagramAreas(scene, 1, beside);
+}
+
 DiagramFoot::Subject subjectOf(const Diagram& diagram) {
     if (!diagram.fan.empty()) return DiagramFoot::Subject::fan;
     return diagram.valueLines.empty() ? DiagramFoot::Subject::shadows : DiagramFoot::Subject::valueLines;
@@ -252,8 +271,7 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
     const PageSetup& setup = scene.settings.setup;
     const double scale = textScale(setup);
     const auto days = byDay(scene.moments);
-    const int beside = days.size() > 1 ? 2 : 1;  // one alone has the page
-    const auto areas = setup.landscape ? diagramAreas(scene, beside, 1) : diagramAreas(scene, 1, beside);
+    const auto areas = fanAreas(scene, days);
     std::vector<DayDiagram> diagrams;
     const MomentPages pages(
         QStringLiteral("Shadow fans"),
@@ -262,9 +280,7 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
             .arg(plainText(scene.source.labels.to), planeText(scene)),
         areas);
     const City proposal = keepOwnBuildings(scene.after, scene.before);
-    double commonScale = 0;  // the foot of a page states one
-    for (const auto& [day, moments] : days)
-        commonScale = std::max(commonScale, fitInto(areas.front(), scale, frameOf(scene, moments)).scale);
+    const double commonScale = fanScale(scene, days, areas.front());
     for (const auto& [day, moments] : days) {
         progress.report(0, NM_TEXT("drawing shadow fans"));
         DiagramLayout layout = fitInto(areas.front(), scale, frameOf(scene, moments));

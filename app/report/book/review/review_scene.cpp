@@ -23,8 +23,7 @@ constexpr double farthestM = 1500;
 constexpr float marginM = 12, placeMarginM = 4;
 constexpr std::array roundScales{500.0,  1000.0, 1250.0, 1500.0, 2000.0, 2500.0,
                                  3000.0, 4000.0, 5000.0, 6000.0, 7500.0, 10000.0};
-constexpr double readableScale = 5000;  // smaller ones are taken where larger views have no room on a page
-constexpr double denseScale = 6000;     // of the standard number of views
+constexpr double readableScale = 6000;  // smaller ones are taken where nothing else holds what is needed
 constexpr double maxKeyShare = 0.16;    // of the page
 
 SunStep sunAt(const Observer& observer, Instant at) {
@@ -180,25 +179,15 @@ public:
 
     [[nodiscard]] DiagramLayout choose() const {
         if (scene_.settings.scale) return atScale(*scene_.settings.scale);
-        const std::size_t standard = standardGrid();
-        for (const Box2* shown : {&all_, &touching_}) {
-            if (const auto layout = fit(grids_[standard], denseScale, *shown)) return *layout;
-            for (std::size_t i = standard + 1; i < grids_.size(); ++i)
-                if (const auto layout = fit(grids_[i], readableScale, *shown)) return *layout;
-        }
+        for (const Box2* shown : {&all_, &touching_})
+            if (const auto layout = fit(*shown, readableScale)) return *layout;
         for (const Box2* shown : {&touching_, &focus_})
-            for (std::size_t i = standard; i < grids_.size(); ++i)
-                if (const auto layout = fit(grids_[i], roundScales.back(), *shown)) return *layout;
-        return make(grids_[standard], readableScale, changed_.empty() ? focus_ : changed_);
+            if (const auto layout = fit(*shown, roundScales.back())) return *layout;
+        return make(grids_[std::min<std::size_t>(1, grids_.size() - 1)], readableScale,
+                    changed_.empty() ? focus_ : changed_);
     }
 
 private:
-    /// The densest where one page of it holds all views; else the next one.
-    [[nodiscard]] std::size_t standardGrid() const {
-        const auto views = std::size_t(grids_.front().first * grids_.front().second);
-        return scene_.moments.size() <= views ? 0 : std::min<std::size_t>(1, grids_.size() - 1);
-    }
-
     [[nodiscard]] DiagramLayout atScale(double scale) const {
         for (const Box2* shown : {&touching_, &focus_})
             for (const Grid& grid : grids_)
@@ -207,12 +196,24 @@ private:
         return make(grids_.back(), scale, changed_.empty() ? focus_ : changed_);
     }
 
-    /// At the largest round scale that shows a box.
-    [[nodiscard]] std::optional<DiagramLayout> fit(const Grid& grid, double maxScale,
-                                                   const Box2& shown) const {
-        for (const double scale : roundScales)
-            if (scale <= maxScale && holds(grid, scale, shown)) return make(grid, scale, shown);
-        return std::nullopt;
+    /// The grid that shows a box with the best of two: a large scale and few pages. Half the pages make up
+    /// for a scale of 1:1500 instead of 1:1000.
+    [[nodiscard]] std::optional<DiagramLayout> fit(const Box2& shown, double maxScale) const {
+        constexpr double weightOfPages = 0.6;
+        std::optional<DiagramLayout> best;
+        double minCost = 0;
+        for (const Grid& grid : grids_) {
+            const auto scale =
+                std::ranges::find_if(roundScales, [&](double one) { return holds(grid, one, shown); });
+            if (scale == roundScales.end() || *scale > maxScale) continue;
+            const double views = double(grid.first * grid.second);
+            const double cost =
+                *scale * std::pow(std::ceil(double(scene_.moments.size()) / views), weightOfPages);
+            if (best && cost >= minCost) continue;
+            best = make(grid, *scale, shown);
+            minCost = cost;
+        }
+        return best;
     }
 
     [[nodiscard]] DiagramLayout make(const Grid& grid, double scale, const Box2& must) const {
