@@ -254,7 +254,7 @@ TEST(ReviewBook, AParkMuchLargerThanTheShadowDoesNotMakeItSmall) {
     const auto grounds = groundsOf(park.book({}));
     ASSERT_FALSE(grounds.empty());
     for (const auto& [diagram, ground] : grounds) {
-        EXPECT_LE(diagram->scale, 5000) << diagram->caption.first.toStdString();
+        EXPECT_LE(diagram->scale, 7500) << diagram->caption.first.toStdString();
         EXPECT_TRUE(holds(grownBy(ground, -1), boxOf(diagram->shadows.incremental)))
             << diagram->caption.first.toStdString();
     }

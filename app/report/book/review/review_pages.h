@@ -85,7 +85,7 @@ Box2 reachOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments
 Box2 focusOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments);
 /// Both.
 Box2 frameOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments);
-/// The round scale and the views a page that show all of frameOf(), at the smallest at 1:6000: of several the
+/// The round scale and the views a page that show all of frameOf(), at the smallest at 1:7500: of several the
 /// one with a large scale on few pages. Where all of it takes a smaller scale, focusOf() and the shadows that
 /// reach its places, if need be at 1:10000. With a given scale: the most views that show that, or focusOf();
 /// if none does, one view of what is nearest to what changes. Unless all pages are asked for, a page has so

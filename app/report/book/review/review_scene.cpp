@@ -23,7 +23,7 @@ constexpr double farthestM = 1500;
 constexpr float marginM = 12, placeMarginM = 4;
 constexpr std::array roundScales{500.0,  1000.0, 1250.0, 1500.0, 2000.0, 2500.0,
                                  3000.0, 4000.0, 5000.0, 6000.0, 7500.0, 10000.0};
-constexpr double readableScale = 6000;  // smaller ones are taken where nothing else holds what is needed
+constexpr double readableScale = 7500;  // smaller ones are taken where nothing else holds what is needed
 constexpr double maxKeyShare = 0.16;    // of the page
 
 SunStep sunAt(const Observer& observer, Instant at) {
