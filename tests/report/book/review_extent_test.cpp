@@ -198,7 +198,7 @@ bool holds(const Box2& all, const Box2& box) {
            all.high.y >= box.high.y;
 }
 
-/// The ground of each diagram of a book.
+/// The ground of each diagram of a book, which must outlive them.
 std::vector<std::pair<const Diagram*, Box2>> groundsOf(const Book& book) {
     std::vector<std::pair<const Diagram*, Box2>> grounds;
     const double scale = textScale(book.setup);
@@ -251,7 +251,8 @@ TEST(ReviewBook, FramesOfDiagramsHoldTheAddedShadowAndThePlacesThatItReaches) {
 
 TEST(ReviewBook, AParkMuchLargerThanTheShadowDoesNotMakeItSmall) {
     const ReviewedPark park = parkOfLength(4000);
-    const auto grounds = groundsOf(park.book({}));
+    const Book book = park.book({});
+    const auto grounds = groundsOf(book);
     ASSERT_FALSE(grounds.empty());
     for (const auto& [diagram, ground] : grounds) {
         EXPECT_LE(diagram->scale, 7500) << diagram->caption.first.toStdString();
