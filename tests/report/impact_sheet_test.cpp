@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/report/book/answer_books.h"
@@ -54,6 +55,39 @@ TEST(ImpactSheet, ShowsTheChangeWhereNoCellReachesTheThreshold) {
     tower.answer.settings.thresholdsMin = {1000};
     const Box2 shown = shownGround(makeSheet(tower.answer, {tower.after}, {}).map.scene);
     EXPECT_NEAR(shown.high.y, all.high.y, 100) << "the shadow north of the tower, too";
+}
+
+// A cell with 8 min more, which is coloured, beside others with more than an hour.
+TEST(ImpactSheet, HoldsAllOfTheChangeThatItsColoursShow) {
+    ComparedTower tower;
+    Impact& impact = tower.answer.study.total;
+    ASSERT_GT(std::ranges::max(impact.grossMin, {}, [](float min) { return std::isnan(min) ? 0 : min; }), 80);
+    const glm::dvec2 at{-304, 48};
+    const Grid& grid = impact.grid;
+    impact
+        .grossMin[grid.index(int((at.x - grid.westM) / grid.cellM), int((at.y - grid.southM) / grid.cellM))] =
+        8;
+    const Box2 shown = shownGround(makeSheet(tower.answer, {tower.after}, {}).map.scene);
+    EXPECT_LT(shown.low.x, at.x);
+}
+
+TEST(ImpactSheet, BothMeasuresAndTheFiguresAreOnOnePage) {
+    const ComparedTower tower;
+    for (const bool landscape : {false, true}) {
+        const Book book = makeImpactBook(tower.answer, {tower.after}, {}, {.setup = {Paper::a4, landscape}});
+        std::size_t maps = 0, tables = 0;
+        const auto& items = book.pages.front().items;
+        for (const PageItem& item : items) {
+            maps += std::holds_alternative<PageMap>(item.content);
+            tables += std::holds_alternative<PageTable>(item.content);
+            EXPECT_TRUE(contentArea(book.setup).adjusted(-1, -1, 1, 1).contains(item.area));
+            for (const PageItem& other : items)
+                EXPECT_TRUE(&item == &other || !item.area.adjusted(1, 1, -1, -1).intersects(other.area));
+        }
+        EXPECT_EQ(maps, 2U);
+        EXPECT_EQ(tables, 1U);
+        EXPECT_THAT(listMeetings(textsOfPage(book, 0)), testing::IsEmpty());
+    }
 }
 
 TEST(ImpactSheet, StatesItsFindingInASentenceAndShowsTheHeightOnTheMap) {

@@ -37,6 +37,23 @@ TEST(OutputFolder, WritesAllOrNothing) {
     EXPECT_EQ(namesIn(folder.path("out")), std::vector<std::string>{"d.txt"});
 }
 
+TEST(OutputFolder, FilesHaveTheNamesThatTheRulesGiveThem) {
+    const tests::TemporaryFolder folder;
+    OutputRules rules;
+    rules.renamed = {{"sheets.pdf", "Mill Lane.pdf"}};
+    OutputFolder files(folder.path("out"), rules);
+    files.add("sheets.pdf", textContent("%PDF-1.4"));
+    const auto written = std::move(files).result();
+    ASSERT_TRUE(written);
+    EXPECT_EQ(written->front(), folder.path("out") / "Mill Lane.pdf");
+    EXPECT_EQ(namesIn(folder.path("out")), std::vector<std::string>{"Mill Lane.pdf"});
+    rules.inputs = {folder.path("out") / "Mill Lane.pdf"};
+    rules.overwrite = true;
+    OutputFolder again(folder.path("out"), rules);
+    again.add("sheets.pdf", textContent("%PDF-1.4"));
+    EXPECT_FALSE(std::move(again).result()) << "an input under the chosen name";
+}
+
 TEST(OutputFolder, WritesTheLastTextFromTheDurationsOfTheOthers) {
     const tests::TemporaryFolder folder;
     OutputFolder files(folder.path("out"));

@@ -154,6 +154,7 @@ public:
     /// Names of the files that exportShown() writes, and of those of them that the folder has already.
     /// region.geojson is always named, since whether it is written is known only then.
     [[nodiscard]] QStringList filesOf(const ExportChoice& choice);
+    [[nodiscard]] bool hasSheets(const ExportChoice& choice);  ///< a PDF whose name may be chosen
     /// The sheets among those files.
     [[nodiscard]] SheetsToMake sheetsOf(const ExportChoice& choice);
     [[nodiscard]] QStringList listExistingFiles(const std::filesystem::path& folder,
@@ -272,6 +273,7 @@ private:
     using Files = Result<std::vector<std::filesystem::path>>;
     using Write =
         std::function<Files(const std::filesystem::path& folder, Progress&, const std::stop_token&)>;
+    [[nodiscard]] AnswerFiles filesToWrite(const ExportChoice& choice) const;
     [[nodiscard]] Write whatToWrite(const ExportChoice& choice) const;
     [[nodiscard]] Write tableToWrite() const;
     [[nodiscard]] Write placeToWrite() const;

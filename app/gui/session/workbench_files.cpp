@@ -44,10 +44,38 @@ AnswerFiles Workbench::withProject(AnswerFiles files) const {
     return files;
 }
 
+namespace {
+
+// The books that an export may write: at most one of them.
+constexpr const char* bookFileNames[] = {sheetsFileName, "scenarios.pdf", "elements.pdf"};
+
+std::vector<std::pair<std::string, std::string>> renamedFiles(const ExportChoice& choice) {
+    std::vector<std::pair<std::string, std::string>> renamed;
+    for (const char* name : bookFileNames)
+        if (!choice.sheetsName.empty()) renamed.emplace_back(name, choice.sheetsName);
+    return renamed;
+}
+
+}  // namespace
+
+AnswerFiles Workbench::filesToWrite(const ExportChoice& choice) const {
+    AnswerFiles files = withProject(choice);
+    files.rules.renamed = renamedFiles(choice);
+    return files;
+}
+
+bool Workbench::hasSheets(const ExportChoice& choice) {
+    ExportChoice standard = choice;
+    standard.sheetsName.clear();
+    const QStringList names = filesOf(standard);
+    return std::ranges::any_of(bookFileNames,
+                               [&](const char* name) { return names.contains(QString::fromLatin1(name)); });
+}
+
 // Captures the displayed answer, since another may be displayed by the time of writing.
 Workbench::Write Workbench::whatToWrite(const ExportChoice& choice) const {
     return [answer = answer(), origin = AnswerOrigin(session_), city = session_.city(),
-            how = withProject(choice)](const auto& folder, Progress& progress, const std::stop_token& stop) {
+            how = filesToWrite(choice)](const auto& folder, Progress& progress, const std::stop_token& stop) {
         AnswerFiles watched = how;
         watched.progress = &progress;
         watched.stop = stop;
@@ -77,7 +105,7 @@ ScenarioStudies Workbench::scenariosToShow() {
 }
 
 Workbench::Write Workbench::scenariosToWrite(const ExportChoice& choice) {
-    return [measured = scenariosToShow(), origin = AnswerOrigin(session_), how = withProject(choice)](
+    return [measured = scenariosToShow(), origin = AnswerOrigin(session_), how = filesToWrite(choice)](
                const auto& folder, auto&&...) {
         return writeScenarioFiles(stateOrigin(measured, origin), bookOf(how), folder, how.rules);
     };
@@ -125,8 +153,10 @@ QStringList Workbench::filesOf(const ExportChoice& choice) {
         names = {viewFileName};
     else if (choice.subject == ExportChoice::Subject::shown && answer())
         names = answer()->fileNames(choice);
+    OutputRules rules;
+    rules.renamed = renamedFiles(choice);
     QStringList list;
-    for (const std::string& name : names) list << QString::fromStdString(name);
+    for (const std::string& name : names) list << QString::fromStdString(nameOf(name, rules));
     return list;
 }
 

@@ -70,12 +70,15 @@ double addFinding(BookPage& page, const QString& finding, const QRectF& all, dou
     return all.top() + height + 4 * scale;
 }
 
+/// Of upright paper the share that figures have beside a second map, of paper on its side beside any.
+constexpr double besideMap = 0.42, besideMaps = 0.3;
+
 PageTable tableOfFigures(const Sheet& sheet, const PageSetup& setup) {
     PageTable table{{sheetText("Figure"), sheetText("Value")}, {}, {}, {}, tablePt * textScale(setup)};
     for (const FigureText& figure : sheet.figures)
         table.rows.push_back({plainText(figure.name), plainText(figure.value)});
-    const double width = contentArea(setup).width();
-    table.widthsPt = fitColumns(table, setup.landscape ? width * 0.3 : width);
+    const double share = setup.landscape ? besideMaps : sheet.smallMap ? besideMap : 1;
+    table.widthsPt = fitColumns(table, contentArea(setup).width() * share);
     return table;
 }
 
@@ -93,24 +96,50 @@ BookPage beginMapPage(const Sheet& sheet, const QString& bookmark) {
 
 PageMap pageMap(const SheetMap& map) { return {std::make_shared<const SheetMap>(map)}; }
 
-/// The finding, the map of a sheet, and beside it or below it the figures where they have room.
+/// Where a page has what is on it.
+struct MapPageAreas {
+    QRectF map;
+    std::optional<QRectF> smallMap{}, figures{};
+};
+
+/// Figures of upright paper are below the map, beside the second one; of paper on its side beside both.
+MapPageAreas divideMapPage(const QRectF& all, const PageSetup& setup, bool hasSmallMap,
+                           std::optional<double> figuresPt) {
+    constexpr double minSmallMap = 0.34;  // of the height
+    const double gap = 14 * textScale(setup);
+    MapPageAreas areas{all};
+    if (figuresPt && setup.landscape) {
+        const double width = all.width() * besideMaps;
+        areas.map.setWidth(all.width() - width - gap);
+        areas.figures = QRectF(areas.map.right() + gap, all.top(), width, *figuresPt);
+    } else if (figuresPt) {
+        const double row = hasSmallMap ? std::max(*figuresPt, minSmallMap * all.height()) : *figuresPt;
+        const double width = hasSmallMap ? all.width() * besideMap : all.width();
+        areas.map.setHeight(all.height() - row - gap);
+        const double top = areas.map.bottom() + gap;
+        areas.figures = QRectF(all.left(), top, width, *figuresPt);
+        if (hasSmallMap)
+            areas.smallMap = QRectF(all.left() + width + gap, top, all.width() - width - gap, row);
+    }
+    if (hasSmallMap && !areas.smallMap) {
+        const QRectF both = areas.map;
+        areas.map.setHeight((both.height() - gap) / 2);
+        areas.smallMap = areas.map.translated(0, areas.map.height() + gap);
+    }
+    return areas;
+}
+
+/// The finding, the maps of a sheet, and the figures where they have room.
 BookPage mapPageWithFigures(const PageSetup& setup, const Sheet& sheet, const PageTable& table) {
     BookPage page = beginMapPage(sheet, sheetText("Map"));
     QRectF all = contentArea(setup);
-    const double scale = textScale(setup), gap = 14 * scale;
-    if (!sheet.finding.isEmpty()) all.setTop(addFinding(page, sheet.finding, all, scale));
-    QRectF area = all;
-    if (fitsBesideMap(table, setup)) {
-        const double height = tableHeightPt(table), width = setup.landscape ? all.width() * 0.3 : all.width();
-        if (setup.landscape)
-            area.setWidth(all.width() - width - gap);
-        else
-            area.setHeight(all.height() - height - gap);
-        const QPointF corner = setup.landscape ? QPointF(area.right() + gap, all.top())
-                                               : QPointF(all.left(), area.bottom() + gap);
-        page.items.push_back({{corner, QSizeF(width, height)}, table});
-    }
-    page.items.push_back({area, pageMap(sheet.map)});
+    if (!sheet.finding.isEmpty()) all.setTop(addFinding(page, sheet.finding, all, textScale(setup)));
+    const bool hasFigures = fitsBesideMap(table, setup);
+    const MapPageAreas areas = divideMapPage(all, setup, sheet.smallMap.has_value(),
+                                             hasFigures ? std::optional(tableHeightPt(table)) : std::nullopt);
+    if (areas.figures) page.items.push_back({*areas.figures, table});
+    page.items.push_back({areas.map, pageMap(sheet.map)});
+    if (areas.smallMap) page.items.push_back({*areas.smallMap, pageMap(*sheet.smallMap)});
     return page;
 }
 
@@ -141,10 +170,6 @@ void addMaps(Book& book, const Sheet& sheet) {
         const QString title = sheetText("Figures");
         appendPages(book, makeTablePages(book.setup, {title, {}, title, 0, {}}, {{title, {}, table}}));
     }
-    if (!sheet.smallMap) return;
-    BookPage page = beginMapPage(sheet, sheetWord(sheet.smallMap->legend.title));
-    page.items.push_back({contentArea(book.setup), pageMap(*sheet.smallMap)});
-    book.pages.push_back(std::move(page));
 }
 
 /// A map with the city that it refers to.

@@ -119,6 +119,12 @@ BookPage pageAfter(const BookPage& first) {
     return {first.title, first.subtitle.isEmpty() ? sheetText("continued") : first.subtitle, {}, 0};
 }
 
+TextBlocks titleOf(const NamedTable& named) {
+    TextBlocks blocks{heading(named.title)};
+    if (!named.note.isEmpty()) blocks.push_back(body(named.note));
+    return blocks;
+}
+
 /// Puts tables below each other.
 class TablePages {
 public:
@@ -151,11 +157,6 @@ public:
     std::vector<BookPage> finish() { return std::move(pages_); }
 
 private:
-    static TextBlocks titleOf(const NamedTable& named) {
-        TextBlocks blocks{heading(named.title)};
-        if (!named.note.isEmpty()) blocks.push_back(body(named.note));
-        return blocks;
-    }
     [[nodiscard]] QRectF area(double height) const {
         return {content_.left(), content_.top() + used_, content_.width(), height};
     }
@@ -396,6 +397,26 @@ std::vector<BookPage> makeTextPages(const PageSetup& setup, const BookPage& page
         if (fewer.size() < pages.size()) return fewer;
     }
     return pages;
+}
+
+std::vector<PageItem> takeTables(std::vector<NamedTable>& tables, const QRectF& area, double scale) {
+    MeasuringCanvas measure;
+    std::vector<PageItem> items;
+    double top = area.top();
+    std::size_t taken = 0;
+    for (NamedTable& named : tables) {
+        named.table.widthsPt = fitColumns(named.table, area.width());
+        const TextBlocks title = titleOf(named);
+        const double titlePt = heightPt(measure.canvas(), title, area.width(), textPt * scale) + 1;
+        const double tablePt = tableHeightPt(named.table);
+        if (top + titlePt + tablePt > area.bottom()) break;
+        items.push_back({{area.left(), top, area.width(), titlePt}, PageText{title, textPt * scale}});
+        items.push_back({{area.left(), top + titlePt, area.width(), tablePt}, std::move(named.table)});
+        top += titlePt + tablePt + gutterPt * scale;
+        ++taken;
+    }
+    tables.erase(tables.begin(), tables.begin() + std::ptrdiff_t(taken));
+    return items;
 }
 
 std::vector<BookPage> makeTablePages(const PageSetup& setup, const BookPage& page,

@@ -44,6 +44,10 @@ struct NamedTable {
     PageTable table;  ///< its widths are set by makeTablePages()
 };
 
+/// The first of the tables, as many as fit whole into an area, one below the other; they are taken from the
+/// list. `scale`: textScale() of the page.
+std::vector<PageItem> takeTables(std::vector<NamedTable>& tables, const QRectF& area, double scale);
+
 /// Pages of tables over the whole width, one below the other. A table begins on a new page where fewer than
 /// some rows of it would fit.
 std::vector<BookPage> makeTablePages(const PageSetup& setup, const BookPage& page,

@@ -58,7 +58,7 @@ void OutputFolder::add(const std::string& name, WriteContent write) {
 }
 
 void OutputFolder::add(const std::string& name, WriteFile write) {
-    files_.push_back({name, std::move(write)});
+    files_.push_back({nameOf(name, rules_), std::move(write)});
 }
 
 void OutputFolder::addLast(const std::string& name, std::function<std::string(const Durations&)> makeText) {

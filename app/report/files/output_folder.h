@@ -33,7 +33,8 @@ public:
 
     explicit OutputFolder(const std::filesystem::path& folder, OutputRules rules = {});
 
-    /// Adds a file. result() calls the writer, on any thread: what it refers to must live until then.
+    /// Adds a file, whose name OutputRules::renamed may change. result() calls the writer, on any thread:
+    /// what it refers to must live until then.
     void add(const std::string& name, WriteContent write);
     /// For writers that create the file themselves.
     void add(const std::string& name, WriteFile write);

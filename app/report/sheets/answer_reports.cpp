@@ -88,14 +88,15 @@ Box2 changedGround(const ImpactAnswer& answer, double thresholdMin) {
     return box;
 }
 
-/// A change that belongs on the map. Where no cell reaches the question's threshold, the largest ones do.
+/// A change that belongs on the map: one that can be seen there. The question's threshold may be higher.
 double mappedChangeMin(const ImpactAnswer& answer) {
+    constexpr double seenMin = 5;
     double largest = 0;
     for (const float change : answer.study.total.grossMin)
         if (!std::isnan(change)) largest = std::max(largest, std::abs(double(change)));
     const double threshold =
         answer.settings.thresholdsMin.empty() ? 0 : answer.settings.thresholdsMin.front();
-    return std::min(threshold, largest / 10);
+    return std::min({threshold, largest / 10, seenMin});
 }
 
 void zoomOnChange(const ImpactAnswer& answer, SheetMap& map) {

@@ -290,6 +290,12 @@ Result<void> areThere(const fs::path& folder, const std::vector<std::string>& na
 
 }  // namespace
 
+std::string nameOf(const std::string& standardName, const OutputRules& rules) {
+    for (const auto& [from, to] : rules.renamed)
+        if (from == standardName) return to;
+    return standardName;
+}
+
 Result<void> checkOutput(const fs::path& file, OutputKind kind, const OutputRules& rules) {
     const auto there = isPlainFileThere(file);
     if (!there) return tl::make_unexpected(there.error());

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -40,14 +41,19 @@ OutputKind detectOutputKind(const std::filesystem::path& name);
 /// JSON as far as the first key that identifies the kind.
 bool isOfKind(const std::filesystem::path& file, OutputKind kind);
 
-/// Which existing files may be overwritten.
+/// Which existing files may be overwritten, and which files have other names than usual.
 struct OutputRules {
     /// The files that the output is made from. Their companions (listCompanionFiles) count too, and for a
     /// folder that is a data set all files in it, which also gets no further ones. Names without a file
     /// ("sample:grid") are ignored.
     std::vector<std::filesystem::path> inputs{};
     bool overwrite = false;  ///< a file of the kind that is written may be replaced
+    /// The standard name of a file and the one that the user chose: "sheets.pdf", "Mill Lane.pdf".
+    std::vector<std::pair<std::string, std::string>> renamed{};
 };
+
+/// The name that a file has by the rules.
+std::string nameOf(const std::string& standardName, const OutputRules& rules);
 
 /// Whether a file may be written: it does not exist, or rules.overwrite is set and the file is of the given
 /// kind. Never overwritten: an input, under any name or link; a project, unless a project is written; a file

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/review/places/verdict_text.h"
+#include "core/base/wording.h"
 
 namespace noonmark {
 
@@ -330,9 +330,10 @@ GlazingReview reviewGlazing(const Rule& rule, const RuleSun& sun, const Reviewed
     return review;
 }
 
-std::string describeReason(const Rule& rule, const GlazingReview& review) {
-    if (!review.deciding) return review.reasonNotJudged;
-    return describeResult(rule.criteria[*review.deciding], review.results[*review.deciding]);
+std::string describeReason(const Rule& rule, const GlazingReview& review, WriteDate writeDate) {
+    if (!review.deciding) return localText(review.reasonNotJudged);
+    return describeResult(rule.criteria[*review.deciding], review.results[*review.deciding],
+                          UnitSystem::metric, writeDate);
 }
 
 }  // namespace noonmark

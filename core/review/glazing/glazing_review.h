@@ -8,6 +8,7 @@
 #include "core/engines/points/skyline.h"
 #include "core/receivers/points/glazing_pane.h"
 #include "core/review/criteria/criterion_days.h"
+#include "core/review/places/verdict_text.h"
 #include "core/review/rule/glazing_rule.h"
 #include "core/review/rule/rule_days.h"
 
@@ -90,6 +91,6 @@ GlazingReview reviewGlazing(const Rule& rule, const RuleSun& sun, const Reviewed
                             const GlazingSunlight& light, double engineErrorMin = 0);
 
 /// The verdict on a window in a sentence without a full stop, as describeReason() of a place.
-std::string describeReason(const Rule& rule, const GlazingReview& review);
+std::string describeReason(const Rule& rule, const GlazingReview& review, WriteDate writeDate = formatText);
 
 }  // namespace noonmark

@@ -13,6 +13,8 @@ namespace noonmark {
 
 namespace {
 
+constexpr std::string_view figuresOnly = NM_TEXT("figures only");
+
 std::string formatMinutes(double value) {
     if (value < 60) return localNumbers(fmt::format("{:.4g}", value)) + " min";
     const double minutes = std::round(value * 10) / 10;
@@ -61,26 +63,30 @@ std::string describeLimits(const Criterion& criterion, UnitSystem units) {
     return text;
 }
 
-std::string describeResult(const Criterion& criterion, const CriterionResult& result, UnitSystem units) {
+std::string describeResult(const Criterion& criterion, const CriterionResult& result, UnitSystem units,
+                           WriteDate writeDate) {
     std::string text = fmt::format("{}: {}", localRuleText(criterion.name),
                                    formatMeasured(criterion.measure, result.value->value, units));
     if (result.former)
         text += fillText(NM_TEXT(" (former %1)"),
                          {formatMeasured(criterion.measure, result.former->value, units)});
-    if (result.day)
-        text += fillText(NM_TEXT(" on %1"),
-                         {isEnglishInUse() ? formatText(*result.day) : wordingInUse().date(*result.day)});
+    if (result.day) text += fillText(NM_TEXT(" on %1"), {writeDate(*result.day)});
     return text + fillText(NM_TEXT(", wanted %1"), {describeLimits(criterion, units)});
 }
 
 std::string_view nameVerdict(const PlaceReview& review) {
-    if (review.reasonNotJudged == noLimitForPlace) return NM_TEXT("figures only");
+    if (review.reasonNotJudged == noLimitForPlace) return figuresOnly;
     return nameOf(review.verdict);
 }
 
-std::string describeReason(const PlaceReview& review, UnitSystem units) {
+std::string_view nameResult(const Criterion& criterion, const CriterionResult& result) {
+    return criterion.limits.empty() ? figuresOnly : nameOf(result.verdict);
+}
+
+std::string describeReason(const PlaceReview& review, UnitSystem units, WriteDate writeDate) {
     if (!review.deciding) return localText(review.reasonNotJudged);
-    return describeResult(review.criteria[*review.deciding], review.results[*review.deciding], units);
+    return describeResult(review.criteria[*review.deciding], review.results[*review.deciding], units,
+                          writeDate);
 }
 
 }  // namespace noonmark

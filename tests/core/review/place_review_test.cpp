@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "core/review/library/rule_library.h"
 #include "core/review/places/review_columns.h"
 #include "core/review/places/verdict_text.h"
 #include "tests/core/review/paper_days.h"
@@ -271,6 +272,15 @@ TEST(Verdicts, ARangeAroundTheLimitIsBorderline) {
     EXPECT_EQ(compareWith(Comparison::atMost, 0, {0, 0, 0}), pass) << "no shadow at any step";
     EXPECT_EQ(compareWith(Comparison::atLeast, 1, {1, 1, 1}), pass) << "no spot is short of it";
     EXPECT_EQ(ratioOf({0, 0, 0}, {0, 0, 0}).value, 1);
+}
+
+TEST(ReviewColumns, TitlesOfRulesWriteUnitsAsPeopleDo) {
+    const auto library = RuleLibrary::load({});
+    ASSERT_TRUE(library);
+    for (const Rule& rule : library->rules())
+        for (const RuleColumn& column : rule.deliverables.columns)
+            for (const char* unit : {"m2", "ft2"})
+                EXPECT_EQ(column.title.find(unit), std::string::npos) << rule.key << ": " << column.title;
 }
 
 TEST(ReviewColumns, SquareMetresAreShownInTheUnitsOfTheProject) {

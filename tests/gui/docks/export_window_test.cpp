@@ -146,6 +146,23 @@ TEST_F(ExportWindow, ASavedResultHasItsSheets) {
     EXPECT_TRUE(contentOfFile(inFolder("sheets.pdf")).startsWith("%PDF")) << message();
 }
 
+TEST_F(ExportWindow, TheNameOfTheSheetsCanBeChosen) {
+    study();
+    auto* dialog = openDialog<ExportDialog>("Ctrl+E");
+    ASSERT_NE(dialog, nullptr);
+    auto* name = fieldOf<QLineEdit>(*dialog, "exportSheetsName");
+    EXPECT_FALSE(name->isVisible()) << "there are no sheets";
+    fieldOf<QCheckBox>(*dialog, "exportSheets")->setChecked(true);
+    EXPECT_TRUE(name->isVisible());
+    name->setText(QStringLiteral("report"));
+    EXPECT_FALSE(fieldOf<QPushButton>(*dialog, "exportWrite")->isEnabled()) << "report.pdf is another file";
+    name->setText(QStringLiteral("Mill Lane"));
+    EXPECT_THAT(fieldOf<QLabel>(*dialog, "exportFiles")->text().toStdString(), HasSubstr("Mill Lane.pdf"));
+    write(*dialog);
+    EXPECT_TRUE(contentOfFile(inFolder("Mill Lane.pdf")).startsWith("%PDF")) << message();
+    EXPECT_FALSE(QFile::exists(inFolder("sheets.pdf")));
+}
+
 TEST_F(ExportWindow, MeasuredScenariosAreExportedSideBySide) {
     workbench().measureAll();
     ASSERT_TRUE(waitFor([this] { return workbench().measuredScenarios().size() == 2; }));
@@ -174,6 +191,10 @@ TEST_F(ExportWindow, SheetsAreShownBeforeTheyAreFiledWithTheProjectBeside) {
     ASSERT_NE(dialog, nullptr);
     ASSERT_TRUE(waitFor([&] { return !dialog->busy(); }));
     EXPECT_TRUE(dialog->pages().picture().isNull()) << "none are asked for";
+    EXPECT_THAT(fieldOf<QLabel>(dialog->pages(), "sheetPicture")->text().toStdString(),
+                HasSubstr("Sheets with a title block"))
+        << "it says how to get them";
+    EXPECT_FALSE(dialog->findChild<SheetForm*>()->isVisible()) << "what would have no effect";
     const QRect before = dialog->geometry();
     fieldOf<QCheckBox>(*dialog, "exportSheets")->setChecked(true);
     ASSERT_TRUE(waitFor([&] { return !dialog->busy() && !dialog->pages().picture().isNull(); }));
@@ -248,7 +269,8 @@ TEST_F(ExportWindow, SheetsAreLaidOutAnewOnlyWhereSomethingElseIsPrinted) {
              };
              return sheets;
          },
-         [](const ExportChoice&) { return false; }, [](const ExportChoice&) { return false; }},
+         [](const ExportChoice&) { return false; }, [](const ExportChoice&) { return false; },
+         [](const ExportChoice&) { return false; }},
         session(), window.get());
     const auto settle = [&] { return waitFor([&] { return !dialog->busy(); }); };
     const std::vector<ExportDialog::Subject> subjects{

@@ -7,9 +7,11 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTabWidget>
 #include <QUndoStack>
 
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/export/export_dialog.h"
 #include "app/gui/docks/review/chart_panels.h"
 #include "app/gui/docks/review/review_dock.h"
@@ -145,6 +147,10 @@ TEST_F(ReviewWindow, VerdictsAndNumbersAreThoseOfTheReview) {
         EXPECT_EQ(table.topLevelItem(i)->childCount(), 4);  // the rule's days
     }
     EXPECT_EQ(table.topLevelItem(0)->text(0), QStringLiteral("Park"));  // has the incremental shadow
+    const QTreeWidgetItem* day = table.topLevelItem(0)->child(0);
+    EXPECT_EQ(day->text(0), QLocale().toString(dateOf(expected->places[0].rows[0].day), dayOfYear()));
+    const QRegularExpression isoDate(QStringLiteral("[0-9]{4}-[0-9]{2}-[0-9]{2}"));
+    EXPECT_FALSE(table.topLevelItem(0)->toolTip(0).contains(isoDate));
     EXPECT_GT(expected->places[0].totals.incrementalM2h, 0);  // at noon the shadow falls on the park
     EXPECT_EQ(expected->places[1].totals.incrementalM2h, 0);
     dock().copyTable();
@@ -445,7 +451,7 @@ struct MovesWithSheets final : QObject {
     explicit MovesWithSheets(ExportDialog& watched) : dialog(watched) { watched.installEventFilter(this); }
     bool eventFilter(QObject*, QEvent* event) override {
         const bool moves = event->type() == QEvent::Resize || event->type() == QEvent::Move;
-        moved |= moves && dialog.pages().isEnabled();
+        moved |= moves && dialog.pages().hasPages();
         return false;
     }
 };

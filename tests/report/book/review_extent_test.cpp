@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <QRegularExpression>
 #include <algorithm>
 
 #include "app/report/book/review/review_pages.h"
@@ -155,10 +156,148 @@ TEST(ReviewBook, OfManyPlacesLaysNoTextOverAnother) {
     }
 }
 
+/// The texts of all pages but the last chapter, which quotes the rule and the command.
+QString textBeforeMethod(const Book& book) {
+    QString all;
+    for (std::size_t i = 0; i < book.pages.size(); ++i) {
+        if (book.pages[i].title == QStringLiteral("Method and sources")) break;
+        all += textOfPage(book, i) + u' ';
+    }
+    return all;
+}
+
 TEST(ReviewBook, SaysFiguresOnlyOfARuleWithoutALimit) {
     const ReviewedPark park("Elm Park");
     EXPECT_EQ(nameVerdict(park.study.places.front()), "figures only");
-    EXPECT_TRUE(textOfPage(park.book({}), 0).contains(QStringLiteral("figures only")));
+    const QString text = textBeforeMethod(park.book({}));
+    EXPECT_TRUE(text.contains(QStringLiteral("place: figures only"))) << text.toStdString();
+    EXPECT_FALSE(text.contains(QStringLiteral("not applicable"))) << text.toStdString();
+}
+
+TEST(ReviewBook, WritesDatesAndAreasAsPeopleDo) {
+    for (const char* rule : {"four-days", "ceqr", "bre-209-amenity"}) {
+        const QString text = textBeforeMethod(reviewOfMany(rule, 4).book({}));
+        EXPECT_FALSE(text.contains(QRegularExpression(QStringLiteral("[0-9]{4}-[0-9]{2}-[0-9]{2}"))))
+            << rule << ": " << text.toStdString();
+        EXPECT_FALSE(text.contains(QRegularExpression(QStringLiteral("\\b(m|ft)2\\b"))))
+            << rule << ": " << text.toStdString();
+    }
+}
+
+TEST(ReviewBook, SaysThatItsCityIsTheRules) {
+    const ReviewedPark park("Elm Park");
+    const Book book = park.book({});
+    const QString where = QString::fromStdString(park.study.rule.where);
+    EXPECT_TRUE(book.pages.front().subtitle.contains(QStringLiteral("Rule used in: ") + where))
+        << book.pages.front().subtitle.toStdString();
+}
+
+/// Whether a box lies inside another.
+bool holds(const Box2& all, const Box2& box) {
+    return all.low.x <= box.low.x && all.low.y <= box.low.y && all.high.x >= box.high.x &&
+           all.high.y >= box.high.y;
+}
+
+/// The ground of each diagram of a book, which must outlive them.
+std::vector<std::pair<const Diagram*, Box2>> groundsOf(const Book& book) {
+    std::vector<std::pair<const Diagram*, Box2>> grounds;
+    const double scale = textScale(book.setup);
+    for (const BookPage& page : book.pages)
+        for (const PageItem& item : page.items)
+            if (const auto* diagram = std::get_if<Diagram>(&item.content))
+                grounds.emplace_back(diagram,
+                                     groundOf(diagram->centre, diagram->scale, mapAreaOf(item.area, scale)));
+    return grounds;
+}
+
+Box2 boxOf(const std::vector<Footprint>& polygons) {
+    Box2 box;
+    for (const Footprint& polygon : polygons) box.add(bounds(polygon));
+    return box;
+}
+
+Box2 grownBy(const Box2& box, float by) { return {box.low - by, box.high + by}; }
+
+/// The park of ReviewedPark as long as asked for, from -50 m east on, with diagrams from 8 h on.
+ReviewedPark parkOfLength(float east) {
+    ReviewedPark park("Elm Park");
+    park.places.front().polygons = {boxFootprint(-50, 0, east, 60)};
+    park.study.rule.deliverables.diagrams->timesMin = {480, 600, 840, 960};
+    NoProgress progress;
+    park.study = runReview(park.study.rule, park.before, park.after, park.places, park.study.settings,
+                           AutoEngine(), progress, {})
+                     .value();
+    return park;
+}
+
+TEST(ReviewBook, FramesOfDiagramsHoldTheAddedShadowAndThePlacesThatItReaches) {
+    const ReviewedPark park = parkOfLength(110);
+    const Box2 place = boxOf(park.places.front().polygons);
+    for (const bool landscape : {false, true}) {
+        const Book book = park.book({{Paper::a4, landscape}, {}, {}});
+        const auto grounds = groundsOf(book);
+        ASSERT_GE(grounds.size(), 9U);
+        for (const auto& [diagram, ground] : grounds) {
+            const std::string of = diagram->caption.first.toStdString() + (landscape ? ", landscape" : "");
+            EXPECT_TRUE(holds(ground, place)) << of;
+            // What is cut ends at the frame.
+            const Box2 inside = grownBy(ground, -1);
+            EXPECT_TRUE(holds(inside, boxOf(diagram->shadows.incremental))) << of;
+            for (const FanShadow& shadow : diagram->fan)
+                EXPECT_TRUE(holds(inside, boxOf(shadow.polygons))) << of << ", " << shadow.time.toStdString();
+        }
+    }
+}
+
+TEST(ReviewBook, AParkMuchLargerThanTheShadowDoesNotMakeItSmall) {
+    const ReviewedPark park = parkOfLength(4000);
+    const Book book = park.book({});
+    const auto grounds = groundsOf(book);
+    ASSERT_FALSE(grounds.empty());
+    for (const auto& [diagram, ground] : grounds) {
+        EXPECT_LE(diagram->scale, 7500) << diagram->caption.first.toStdString();
+        EXPECT_TRUE(holds(grownBy(ground, -1), boxOf(diagram->shadows.incremental)))
+            << diagram->caption.first.toStdString();
+    }
+}
+
+/// Share of the page's height that its items leave empty at the bottom.
+double emptyShare(const Book& book, const BookPage& page) {
+    const QRectF all = contentArea(book.setup);
+    double bottom = all.top();
+    for (const PageItem& item : page.items) bottom = std::max(bottom, item.area.bottom());
+    return (all.bottom() - bottom) / all.height();
+}
+
+TEST(ReviewBook, FewRowsHaveNoPageOfTheirOwn) {
+    const ReviewedPark park("Elm Park");
+    const Book book = park.book({});
+    EXPECT_TRUE(textOfPage(book, 0).contains(QStringLiteral("Table of the rule")));
+    EXPECT_EQ(std::ranges::count(book.pages, QStringLiteral("Tables"), &BookPage::title), 0);
+    EXPECT_LT(emptyShare(book, book.pages.front()), 0.25);
+    EXPECT_EQ(std::ranges::count(book.pages, QStringLiteral("Views from the sun"), &BookPage::title), 1)
+        << "two days of two hours";
+}
+
+TEST(ReviewBook, OfManyDaysListsTheWorstOfEachMonth) {
+    ReviewedPark park("Elm Park");
+    ReviewRow row = park.study.places.front().rows.front();
+    auto& rows = park.study.places.front().rows;
+    rows.clear();
+    for (unsigned day = 0; day < 61; ++day) {
+        row.day = CivilDate(std::chrono::sys_days{std::chrono::year{2026} / 3 / 1} + std::chrono::days(day));
+        row.durationMin = 60;
+        row.incrementalM2h = day == 10 || day == 40 ? 900 : 100 + day;
+        rows.push_back(row);
+    }
+    const QString text = textBeforeMethod(park.book({}));
+    EXPECT_TRUE(text.contains(QStringLiteral("11 March 2026"))) << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("10 April 2026")));
+    EXPECT_FALSE(text.contains(QStringLiteral("12 March 2026")));
+    EXPECT_TRUE(text.contains(QStringLiteral("59 further days")));
+    BookSettings all;
+    all.allPages = true;
+    EXPECT_TRUE(textBeforeMethod(park.book(all)).contains(QStringLiteral("12 March 2026")));
 }
 
 TEST(ReviewBook, RepeatsHowMuchItHolds) {

@@ -9,8 +9,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpressionValidator>
 #include <QScreen>
 #include <QScrollArea>
+#include <QSet>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QUrl>
@@ -23,6 +25,7 @@
 #include "app/gui/docks/sheets/book_view.h"
 #include "app/gui/docks/sheets/sheet_form.h"
 #include "app/gui/session/project/project_session.h"
+#include "app/report/files/saved_files.h"
 
 namespace noonmark {
 
@@ -50,6 +53,12 @@ QCheckBox* makeCheck(const QString& text, const char* name, const QString& tip, 
     box->setToolTip(tip);
     box->setChecked(on);
     return box;
+}
+
+// "Mill Lane.pdf" of "Mill Lane"; empty of no name.
+QString pdfName(const QString& typed) {
+    const QString ending = QStringLiteral(".pdf"), name = typed.trimmed();
+    return name.isEmpty() || name.endsWith(ending, Qt::CaseInsensitive) ? name : name + ending;
 }
 
 // Whether the file holds what answers are about, as it is now: only then do exports name it as their source.
@@ -109,10 +118,8 @@ QLayout* ExportDialog::makeFields() {
     makePicture(*form);
     cells_ = makeCheck(tr("Table of all cells"), "exportCells",
                        tr("A line of text for each cell: large for a large region"), first_.cells);
-    sheets_ = makeCheck(tr("Sheets with a title block"), "exportSheets",
-                        tr("A PDF with maps, figures, charts and method on several pages"), first_.sheets);
     form->addRow(QString(), cells_);
-    form->addRow(QString(), sheets_);
+    makeSheets(*form);
     makeFolder(*form, folder_->text());
     auto* sheets = new QScrollArea;
     sheets->setWidget(form_);
@@ -123,6 +130,21 @@ QLayout* ExportDialog::makeFields() {
     column->addLayout(form);
     column->addWidget(sheets, 1);
     return column;
+}
+
+void ExportDialog::makeSheets(QFormLayout& form) {
+    sheets_ = makeCheck(tr("Sheets with a title block"), "exportSheets",
+                        tr("A PDF with maps, figures, charts and method on several pages"), first_.sheets);
+    sheetsName_ = new QLineEdit(QString::fromStdString(first_.sheetsName));
+    sheetsName_->setObjectName(QStringLiteral("exportSheetsName"));
+    sheetsName_->setToolTip(tr("The name of the PDF with the sheets"));
+    sheetsName_->setPlaceholderText(QString::fromLatin1(sheetsFileName));
+    sheetsName_->setMaxLength(120);
+    sheetsName_->setValidator(new QRegularExpressionValidator(
+        QRegularExpression(QStringLiteral("[^/\\\\:*?\"<>|]*")), sheetsName_));
+    connect(sheetsName_, &QLineEdit::textChanged, this, &ExportDialog::update);
+    form.addRow(QString(), sheets_);
+    form.addRow(tr("Name of the sheets"), sheetsName_);
 }
 
 void ExportDialog::makePicture(QFormLayout& form) {
@@ -246,6 +268,7 @@ ExportChoice ExportDialog::choice() const {
     choice.framed = framed_->isChecked();
     choice.cells = cells_->isChecked();
     choice.sheets = sheets_->isChecked();
+    choice.sheetsName = pdfName(sheetsName_->text()).toStdString();
     choice.book = shown_;
     choice.withProject = withProject_->isEnabled() && withProject_->isChecked();
     return choice;
@@ -273,6 +296,7 @@ void ExportDialog::update() {
     fields_->setRowVisible(framed_, isView);
     // What a result has always, or never, is not asked.
     for (QCheckBox* box : {cells_, sheets_}) fields_->setRowVisible(box, !isView && box->isEnabled());
+    fields_->setRowVisible(sheetsName_, source_.hasSheets(now));
     form_->offerExtent(source_.isReview(now));
     const bool isSaved = session_.file().has_value();
     withProject_->setEnabled(!isView && isSaved);
@@ -285,7 +309,11 @@ void ExportDialog::update() {
     saveFirst_->setText(isSaved ? tr("Save project first") : tr("Save project first..."));
     for (QWidget* one : std::initializer_list<QWidget*>{unsaved_, saveFirst_})
         one->setVisible(!canBeVerified);
-    write_->setEnabled(!writing_ && !folder_->text().trimmed().isEmpty());
+    const bool isTwice = QSet<QString>(names.begin(), names.end()).size() < names.size();
+    if (isTwice) message_->setText(tr("Two of the files have one name: choose another for the sheets"));
+    if (!isTwice && wasTwice_) message_->clear();
+    wasTwice_ = isTwice;
+    write_->setEnabled(!writing_ && !isTwice && !folder_->text().trimmed().isEmpty());
     soon_.start();
 }
 
@@ -330,8 +358,14 @@ void ExportDialog::layOut() {
 }
 
 void ExportDialog::showSheets(const std::shared_ptr<const Book>& book) {
-    form_->setEnabled(book != nullptr);
-    pages_->show(book);
+    form_->setVisible(book != nullptr);
+    pages_->show(book, whyNoSheets());
+}
+
+QString ExportDialog::whyNoSheets() const {
+    const bool areOffered = fields_->isRowVisible(sheets_) && !sheets_->isChecked();
+    return areOffered ? tr("No sheets are written. Tick \"%1\" to see and write them.").arg(sheets_->text())
+                      : tr("What is chosen has no sheets.");
 }
 
 void ExportDialog::write() {

@@ -38,6 +38,7 @@ public:
         /// The names of the files that a choice writes.
         std::function<QStringList(const ExportChoice&)> files;
         std::function<SheetsToMake(const ExportChoice&)> sheets;  ///< that a choice writes
+        std::function<bool(const ExportChoice&)> hasSheets;       ///< as a file that may be named
         /// Whether the sheets are those of a review of places, which may be many.
         std::function<bool(const ExportChoice&)> isReview;
         /// Whether the files that were read suffice to repeat it, without a saved project.
@@ -70,6 +71,8 @@ Q_SIGNALS:
 private:
     QLayout* makeFields();
     void makePicture(QFormLayout& form);
+    void makeSheets(QFormLayout& form);
+    [[nodiscard]] QString whyNoSheets() const;
     void makeFolder(QFormLayout& form, const QString& folder);
     QLayout* makeFoot();
     void update();
@@ -91,6 +94,7 @@ private:
     QFormLayout* fields_;
     QCheckBox* cells_;
     QCheckBox* sheets_;
+    QLineEdit* sheetsName_;
     SheetForm* form_;
     BookView* pages_;
     QLabel* files_;
@@ -101,6 +105,7 @@ private:
     QLabel* unsaved_;
     QPushButton* saveFirst_;
     bool writing_ = false;
+    bool wasTwice_ = false;  // two files had one name
     QPushButton* write_;
     QPushButton* openFolder_;  // the one that was written last
     QString writtenTo_;

@@ -246,7 +246,7 @@ QString skyWithTrees(const PointCrowns& crowns, bool wall) {
 QString figuresOf(const PointView& view, const PointStudy& study, const Zone& zone) {
     const double lit = study.possibleMin - view.year.grossMin * double(study.sun.dayCount());
     QString text = PointDock::tr("In the sun on %1: %2\nIn the year: %3 h of %4 h\nSky view factor: %5")
-                       .arg(QString::fromStdString(formatText(study.question.day)),
+                       .arg(QLocale().toString(dateOf(study.question.day), dayOfYear()),
                             QString::fromStdString(sunlitText(view.sunlit, zone)))
                        .arg(groupDigits(lit / 60, 0))
                        .arg(groupDigits(study.possibleMin / 60, 0))
@@ -254,7 +254,7 @@ QString figuresOf(const PointView& view, const PointStudy& study, const Zone& zo
     if (view.crowns) {
         for (const TreeColumns column : PointCrowns::columns)
             text += PointDock::tr("\nIn the sun on %1, %2: %3", "a day, trees as evergreens, times")
-                        .arg(QString::fromStdString(formatText(study.question.day)),
+                        .arg(QLocale().toString(dateOf(study.question.day), dayOfYear()),
                              translated(describeTrees(column)),
                              QString::fromStdString(sunlitText(view.crowns->of(column).sunlit, zone)));
         text += PointDock::tr("\nWith trees: %1").arg(treesOf(*view.crowns));

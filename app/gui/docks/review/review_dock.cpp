@@ -284,7 +284,7 @@ void ReviewDock::showDetails() {
     if (!answer_ || !chosenDay_) return;
     const PlaceReview& place = answer_->study.places[chosen_];
     QString text = tr("%1: %2.").arg(placeName(place.name),
-                                     inWindowWords([&] { return describeReason(place, units_); }));
+                                     inWindowWords([&] { return describeReason(place, units_, writeDay); }));
     if (!hasFewDays(answer_->question.rule)) text += u' ' + describeSums(place.totals, units_);
     details_->setText(text);
 }

@@ -51,6 +51,8 @@ QString describeVerdict(Verdict verdict) {
     return {};
 }
 
+std::string writeDay(CivilDate day) { return QLocale().toString(dateOf(day), dayOfYear()).toStdString(); }
+
 QString describeVerdict(const PlaceReview& review) {
     if (review.reasonNotJudged == noLimitForPlace) return QObject::tr("– figures only");
     return describeVerdict(review.verdict);
@@ -231,7 +233,7 @@ void VerdictTable::addPlace(std::size_t review) {
     bold.setBold(true);
     item->setFont(verdictColumn, bold);
     for (int i = 0; i < columnCount(); ++i)
-        item->setToolTip(i, inWindowWords([&] { return describeReason(place, units_); }));
+        item->setToolTip(i, inWindowWords([&] { return describeReason(place, units_, writeDay); }));
     item->setData(0, reviewRole, qulonglong(review));
     if (place.rows.size() == 1) {  // one day stands in the place's own row
         for (std::size_t i = 0; i < columns_.size(); ++i)
@@ -245,9 +247,9 @@ void VerdictTable::addPlace(std::size_t review) {
 
 void VerdictTable::addDay(QTreeWidgetItem& place, std::size_t review, const ReviewRow& row) {
     auto* item = new QTreeWidgetItem(&place);
-    item->setText(0, textOf(formatText(row.day)));
+    item->setText(0, textOf(writeDay(row.day)));
     item->setData(0, reviewRole, qulonglong(review));
-    item->setData(0, dayRole, item->text(0));
+    item->setData(0, dayRole, textOf(formatText(row.day)));
     for (std::size_t i = 0; i < columns_.size(); ++i)
         item->setText(
             int(i) + firstRuleColumn,
@@ -280,7 +282,7 @@ QString VerdictTable::text() const {
     for (const PlaceReview& place : answer_->study.places)
         for (const ReviewRow& row : place.rows) {
             QStringList fields{placeName(place.name), describeKind(place.kind),
-                               QString::fromUtf8(nameOf(place.verdict).data()), textOf(formatText(row.day))};
+                               textOf(std::string(nameVerdict(place))), textOf(formatText(row.day))};
             for (const RuleColumn& column : columns_) fields << textOf(columnText(place, row, column.key));
             lines << fields.join(u'\t');
         }

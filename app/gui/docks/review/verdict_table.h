@@ -17,6 +17,8 @@ namespace noonmark {
 QString describeVerdict(Verdict verdict);
 /// The same; "figures only" where the rule states no limit for the place.
 QString describeVerdict(const PlaceReview& review);
+/// "21 Mar 2026" in the window's language: a day in tables and in describeReason().
+std::string writeDay(CivilDate day);
 /// "1 ✗ fail, 12 ✓ pass": the worst first, those without a place left out.
 QString describeCounts(const VerdictCounts& counts);
 /// Read on the background of lists, light or dark, and told apart by people who do not see red and green

@@ -30,12 +30,13 @@ BookView::BookView(QWidget* parent)
       sheet_(new QLabel) {
     sheet_->setAlignment(Qt::AlignCenter);
     sheet_->setObjectName(QStringLiteral("sheetPicture"));
+    sheet_->setWordWrap(true);
     scroll_->setWidget(sheet_);
     scroll_->setWidgetResizable(true);
     scroll_->setBackgroundRole(QPalette::Dark);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(makeBar());
+    column->addWidget(bar_ = makeBar());
     column->addWidget(scroll_, 1);
     show(nullptr);
 }
@@ -75,15 +76,16 @@ int BookView::page() const { return number_->value() - 1; }
 
 void BookView::showPage(int page) { number_->setValue(page + 1); }
 
-void BookView::show(std::shared_ptr<const Book> book) {
+void BookView::show(std::shared_ptr<const Book> book, const QString& whyNone) {
     book_ = std::move(book);
+    whyNone_ = whyNone.isEmpty() ? tr("Sheets that are to be written are shown here") : whyNone;
     const int pages = book_ ? int(book_->pages.size()) : 0;
     {
         const QSignalBlocker quiet(number_);
         number_->setRange(1, std::max(1, pages));
     }
     count_->setText(pages > 0 ? tr("of %1").arg(pages) : QString());
-    setEnabled(pages > 0);
+    for (QWidget* control : bar_->findChildren<QWidget*>()) control->setEnabled(pages > 0);
     listChapters();
     paint();
 }
@@ -111,7 +113,7 @@ void BookView::paint() {
     picture_ = {};
     if (!book_ || book_->pages.empty()) {
         painting_.drop();
-        sheet_->setText(tr("Sheets that are to be written are shown here"));
+        sheet_->setText(whyNone_);
         return;
     }
     const int shown = page();

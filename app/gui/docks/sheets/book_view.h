@@ -20,10 +20,11 @@ class BookView final : public QWidget {
 public:
     explicit BookView(QWidget* parent = nullptr);
 
-    /// Shows another book at the page last looked at; null: none.
-    void show(std::shared_ptr<const Book> book);
+    /// Shows another book at the page last looked at; null: none, and `whyNone` in its place.
+    void show(std::shared_ptr<const Book> book, const QString& whyNone = {});
     void showPage(int page);  ///< from 0
     [[nodiscard]] int page() const;
+    [[nodiscard]] bool hasPages() const { return book_ && !book_->pages.empty(); }
     [[nodiscard]] bool busy() const { return painting_.busy(); }
     [[nodiscard]] const QImage& picture() const { return picture_; }  ///< of the page; null: not painted yet
 
@@ -38,6 +39,8 @@ private:
     [[nodiscard]] double dotsPerInch() const;
 
     std::shared_ptr<const Book> book_;
+    QString whyNone_;
+    QWidget* bar_ = nullptr;
     QSpinBox* number_;
     QLabel* count_;
     QComboBox* chapters_;

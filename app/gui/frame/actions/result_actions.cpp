@@ -148,6 +148,7 @@ void ResultActions::makeExportDialog() {
         last_, lastFolder_,
         {[this](const ExportChoice& choice) { return workbench_.filesOf(drawn(choice)); },
          [this](const ExportChoice& choice) { return workbench_.sheetsOf(drawn(choice)); },
+         [this](const ExportChoice& choice) { return workbench_.hasSheets(choice); },
          [this](const ExportChoice& choice) {
              return choice.subject == ExportChoice::Subject::shown && workbench_.answerAs<ReviewAnswer>();
          },

@@ -23,6 +23,7 @@ struct ExportChoice : AnswerFiles {
     bool framed = true;                                    ///< with title, legend and scale bar
     Subject subject = Subject::shown;
     bool withProject = false;  ///< a copy of the project's file beside the files, for `verify`
+    std::string sheetsName{};  ///< of the PDF with the sheets; empty: its standard name
 };
 
 /// What sheets are printed from: equal ones give the same pages.

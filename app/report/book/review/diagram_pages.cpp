@@ -10,13 +10,13 @@
 #include "app/report/sheets/study_text.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_outlines.h"
+#include "core/review/places/verdict_text.h"
 #include "core/review/rule/rule_days.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr double maxFanScale = 10000;
 constexpr double pictureDpi = 200;
 constexpr double maxPicturePixels = 2200;  // a picture for large paper need not be finer
 constexpr std::size_t maxSunViewsADay = 3;
@@ -43,13 +43,20 @@ QString planeText(const ReviewScene& scene) {
         .arg(describeAmount(*planeM, 2));
 }
 
-/// Of the verdicts whose colours are on the map.
+/// Of the verdicts whose colours are on the map, as tables name them.
 std::vector<LegendPatch> verdictPatches(const ReviewScene& scene) {
     std::vector<LegendPatch> patches;
-    for (const Verdict verdict : {Verdict::fail, Verdict::borderline, Verdict::pass, Verdict::notApplicable})
-        if (std::ranges::find(scene.diagrams->placeColours, verdictMark(verdict)) !=
+    for (const Verdict verdict :
+         {Verdict::fail, Verdict::borderline, Verdict::pass, Verdict::notApplicable}) {
+        if (std::ranges::find(scene.diagrams->placeColours, verdictMark(verdict)) ==
             scene.diagrams->placeColours.end())
-            patches.push_back({verdictMark(verdict), sheetText("place: ") + sheetText(nameOf(verdict))});
+            continue;
+        QStringList names;
+        for (const PlaceReview& place : scene.source.study.places)
+            if (place.verdict == verdict) names << sheetText(nameVerdict(place));
+        names.removeDuplicates();
+        patches.push_back({verdictMark(verdict), sheetText("place: ") + names.join(sheetText(" or "))});
+    }
     return patches;
 }
 
@@ -96,6 +103,12 @@ std::vector<DiagramMoment> fewOf(const std::vector<DiagramMoment>& all) {
     if (noon != all.begin() && noon != all.end() - 1) few.push_back(*noon);
     few.push_back(all.back());
     return few;
+}
+
+/// Columns and rows: pictures of the sun's view are small where they are many.
+std::pair<int, int> sunViewGrid(const PageSetup& setup, std::size_t count) {
+    if (count <= 3) return setup.landscape ? std::pair{2, 2} : std::pair{1, 3};
+    return setup.landscape ? std::pair{3, 2} : std::pair{2, 3};
 }
 
 /// Puts items into the cells of pages, one after the other. A page is named by the days that begin on it.
@@ -146,6 +159,25 @@ private:
     std::size_t used_ = 0;   // of the last page
     std::optional<CivilDate> day_;
 };
+
+/// The scale at which an area holds the fan of each day: the foot of a page states one.
+double fanScale(const ReviewScene& scene, const std::vector<DayMoments>& days, const QRectF& area) {
+    double scale = 0;
+    for (const DayMoments& day : days)
+        scale = std::max(scale,
+                         fitInto(area, textScale(scene.settings.setup), frameOf(scene, day.moments)).scale);
+    return scale;
+}
+
+/// One fan alone has the page; four have one where they can be read.
+std::vector<QRectF> fanAreas(const ReviewScene& scene, const std::vector<DayMoments>& days) {
+    constexpr double maxScaleOfFour = 6000;
+    if (days.size() > 2)
+        if (auto four = diagramAreas(scene, 2, 2); fanScale(scene, days, four.front()) <= maxScaleOfFour)
+            return four;
+    const int beside = days.size() > 1 ? 2 : 1;
+    return scene.settings.setup.landscape ? diagramAreas(scene, beside, 1) : diagramAreas(scene, 1, beside);
+}
 
 DiagramFoot::Subject subjectOf(const Diagram& diagram) {
     if (!diagram.fan.empty()) return DiagramFoot::Subject::fan;
@@ -238,8 +270,8 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
     if (scene.diagrams->proposal.buildings.empty()) return std::vector<BookPage>{};
     const PageSetup& setup = scene.settings.setup;
     const double scale = textScale(setup);
-    const auto grid = setup.landscape ? std::pair{2, 1} : std::pair{1, 2};
-    const auto areas = diagramAreas(scene, grid.first, grid.second);
+    const auto days = byDay(scene.moments);
+    const auto areas = fanAreas(scene, days);
     std::vector<DayDiagram> diagrams;
     const MomentPages pages(
         sheetText("Shadow fans"),
@@ -248,13 +280,10 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
             .arg(plainText(scene.source.labels.to), planeText(scene)),
         areas);
     const City proposal = keepOwnBuildings(scene.after, scene.before);
-    double commonScale = 0;  // the foot of a page states one
-    for (const auto& [day, moments] : byDay(scene.moments))
-        commonScale =
-            std::max(commonScale, fitInto(areas.front(), scale, reachOf(scene, moments), maxFanScale).scale);
-    for (const auto& [day, moments] : byDay(scene.moments)) {
+    const double commonScale = fanScale(scene, days, areas.front());
+    for (const auto& [day, moments] : days) {
         progress.report(0, NM_TEXT("drawing shadow fans"));
-        DiagramLayout layout = fitInto(areas.front(), scale, reachOf(scene, moments), maxFanScale);
+        DiagramLayout layout = fitInto(areas.front(), scale, frameOf(scene, moments));
         layout.scale = commonScale;
         const Box2 ground = groundOf(layout.centre, layout.scale, mapAreaOf(areas.front(), scale));
         std::vector<SunStep> steps;
@@ -297,7 +326,11 @@ Result<std::vector<BookPage>> makeIsochronePages(const ReviewScene& scene, Progr
 Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progress& progress,
                                                const std::stop_token& stop) {
     const PageSetup& setup = scene.settings.setup;
-    const auto areas = gridAreas(setup, setup.landscape ? 2 : 1, setup.landscape ? 2 : 3);
+    std::vector<DayMoments> days = byDay(scene.moments);
+    std::size_t count = 0;
+    for (DayMoments& day : days) count += (day.moments = fewOf(day.moments)).size();
+    const auto [columns, rows] = sunViewGrid(setup, count);
+    const auto areas = gridAreas(setup, columns, rows);
     const double scale = textScale(setup);
     const QSizeF picture = mapAreaOf(areas.front(), scale).size() * pictureDpi / 72;
     const QSize size = (picture * std::min(1.0, maxPicturePixels / picture.width())).toSize();
@@ -311,8 +344,9 @@ Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progres
                                 "what is hidden is in shadow. The proposal is violet, places are green.")
                           .arg(plainText(scene.source.labels.to)),
                       areas);
-    for (const auto& [day, moments] : byDay(scene.moments))
-        for (const DiagramMoment& moment : fewOf(moments)) {
+    pages.spread(count);
+    for (const auto& [day, moments] : days)
+        for (const DiagramMoment& moment : moments) {
             if (stop.stop_requested()) return cancelled();
             progress.report(0, NM_TEXT("drawing views from the sun"));
             const QRectF area = pages.next(day).first;

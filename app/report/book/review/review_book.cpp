@@ -76,14 +76,17 @@ Result<Book> makeReviewBook(const ReviewBookSource& source, const BookSettings& 
                           source.labels.provenance.attribution);
     book.record = {QStringLiteral("review.json"),
                    inEnglish([&] { return toJsonText(reviewJson(source.study, source.labels)); })};
-    std::vector<MakePages> chapters = pictureChapters(source.study.rule);
-    chapters.insert(chapters.begin(), makeSummaryPages);
-    for (const MakePages make : chapters) {
+    std::vector<NamedTable> named = listReviewTables(*scene);
+    auto summary = makeSummaryPages(*scene, named, progress, stop);
+    if (!summary) return tl::make_unexpected(summary.error());
+    appendPages(book.pages, *std::move(summary));
+    for (const MakePages make : pictureChapters(source.study.rule)) {
         auto pages = make(*scene, progress, stop);
         if (!pages) return tl::make_unexpected(pages.error());
         appendPages(book.pages, *std::move(pages));
     }
-    std::vector<BookPage> charts = makeChartPages(*scene), tables = makeReviewTablePages(*scene),
+    std::vector<BookPage> charts = makeChartPages(*scene),
+                          tables = makeReviewTablePages(*scene, std::move(named)),
                           method = makeMethodPages(*scene);
     if (settings.heightMap)
         method.insert(method.begin(),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/report/book/flow.h"
 #include "app/report/book/review/review_book.h"
 #include "core/review/rule/rule_days.h"
 
@@ -79,16 +80,20 @@ QString describeKey(const ReviewScene& scene, const std::vector<Box2>& seen);
 
 /// Where the shadows of what changes reach at the moments, cut at 1.5 km.
 Box2 reachOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments);
-/// What changes, and the places in the rows of the sheets as far as its shadows reach.
+/// What changes, and the places in the rows of the sheets that its shadows reach: each whole, but for those
+/// much larger than the shadows.
 Box2 focusOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments);
-/// The round scale and the most views a page that show all that shadows reach (or, where that takes more than
-/// 1:5000, all of focusOf()). With a given scale: the most views that show focusOf(); if none does, one view
-/// of what is nearest to what changes. Unless all pages are asked for, a page has so many views that there
-/// are at most `maxDiagramPages`, if need be at 1:10000.
+/// Both.
+Box2 frameOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments);
+/// The round scale and the views a page that show all of frameOf(), at the smallest at 1:7500: of several the
+/// one with a large scale on few pages. Where all of it takes a smaller scale, focusOf() and the shadows that
+/// reach its places, if need be at 1:10000. With a given scale: the most views that show that, or focusOf();
+/// if none does, one view of what is nearest to what changes. Unless all pages are asked for, a page has so
+/// many views that there are at most `maxDiagramPages`.
 DiagramLayout layoutOf(const ReviewScene& scene);
 inline constexpr std::size_t maxDiagramPages = 8;
-/// One view in an area, at the largest round scale at which it shows a box; else at 1:maxScale.
-DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, double maxScale = 5000);
+/// One view in an area, at the largest round scale at which it shows a box; else at 1:10000.
+DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown);
 
 /// What the first page shows.
 struct WorstMoment {
@@ -107,8 +112,9 @@ Result<Diagram> makeDiagram(const ReviewScene& scene, const DiagramMoment& momen
                             const DiagramLayout& layout, const QRectF& area, Progress& progress,
                             const std::stop_token& stop);
 
-Result<std::vector<BookPage>> makeSummaryPages(const ReviewScene& scene, Progress& progress,
-                                               const std::stop_token& stop);
+/// What the summary's page has room for is taken from the tables.
+Result<std::vector<BookPage>> makeSummaryPages(const ReviewScene& scene, std::vector<NamedTable>& tables,
+                                               Progress& progress, const std::stop_token& stop);
 Result<std::vector<BookPage>> makeDiagramPages(const ReviewScene& scene, Progress& progress,
                                                const std::stop_token& stop);
 /// Lines of equal hours of shadow on a day (index in RuleSun::sun.days), around what changes.
@@ -123,7 +129,9 @@ Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progres
                                                const std::stop_token& stop);
 /// The charts of each place, or of those that fail or are borderline.
 std::vector<BookPage> makeChartPages(const ReviewScene& scene);
-std::vector<BookPage> makeReviewTablePages(const ReviewScene& scene);
+/// The tables of the places, for the summary's page and those of makeReviewTablePages().
+std::vector<NamedTable> listReviewTables(const ReviewScene& scene);
+std::vector<BookPage> makeReviewTablePages(const ReviewScene& scene, std::vector<NamedTable> tables);
 std::vector<BookPage> makeMethodPages(const ReviewScene& scene);
 
 void appendPages(std::vector<BookPage>& to, std::vector<BookPage> pages);

@@ -21,10 +21,11 @@ namespace {
 constexpr int maxHoursADay = 6;
 constexpr float minSunDeg = 0.5F;  // shadows of a lower sun leave every page
 constexpr double farthestM = 1500;
-constexpr double marginM = 12;
-constexpr std::array roundScales{500.0, 1000.0, 1250.0, 2000.0, 2500.0, 4000.0, 5000.0};
-constexpr double smallestScale = 10000;  // where a page must hold several views
-constexpr double maxKeyShare = 0.16;     // of the page
+constexpr float marginM = 12, placeMarginM = 4;
+constexpr std::array roundScales{500.0,  1000.0, 1250.0, 1500.0, 2000.0, 2500.0,
+                                 3000.0, 4000.0, 5000.0, 6000.0, 7500.0, 10000.0};
+constexpr double readableScale = 7500;  // smaller ones are taken where nothing else holds what is needed
+constexpr double maxKeyShare = 0.16;    // of the page
 
 SunStep sunAt(const Observer& observer, Instant at) {
     const SolarPosition sun = computeSolarPosition(observer, at);
@@ -44,11 +45,33 @@ Box2 changedBounds(const DiagramScene& scene) {
     return box;
 }
 
-double highestChangeM(const DiagramScene& scene) {
-    double highest = 0;
+/// Where the shadow of a roof ends, as far from its building as farthestM. The ground may fall.
+glm::dvec2 shiftOf(const City& city, const Building& building, const glm::vec3& direction) {
+    const glm::dvec3 sun(direction);
+    const Box2 box = bounds(building);
+    const glm::dvec2 foot = glm::dvec2(box.low + box.high) / 2.0;
+    double groundM = double(groundAt(city, foot));
+    glm::dvec2 shift{};
+    for (int i = 0; i < 2; ++i) {
+        shift = -glm::dvec2(sun) / sun.z * std::max(0.0, double(topM(building)) - groundM);
+        if (const double length = glm::length(shift); length > farthestM) shift *= farthestM / length;
+        groundM = std::min(groundM, double(groundAt(city, foot + shift)));
+    }
+    return shift;
+}
+
+/// The shadow of what changes at a moment, with what casts it.
+Box2 sweepOf(const DiagramScene& scene, const DiagramMoment& moment) {
+    Box2 swept;
     for (const City* city : {&scene.proposal, &scene.removed})
-        for (const auto& building : city->buildings) highest = std::max(highest, double(topM(*building)));
-    return highest;
+        for (const auto& building : city->buildings) {
+            const Box2 box = bounds(*building);
+            if (box.empty()) continue;
+            const glm::vec2 shift(shiftOf(scene.city, *building, moment.sun.direction));
+            for (const glm::vec2 by : {glm::vec2(0), shift})
+                swept.add(box.low + by), swept.add(box.high + by);
+        }
+    return swept;
 }
 
 Box2 intersectionOf(const Box2& a, const Box2& b) {
@@ -58,6 +81,37 @@ Box2 intersectionOf(const Box2& a, const Box2& b) {
 Box2 unionOf(Box2 a, const Box2& b) {
     if (!b.empty()) a.add(b);
     return a;
+}
+
+bool meet(const Box2& a, const Box2& b) { return !intersectionOf(a, b).empty(); }
+
+/// The places in the rows of the sheets that meet a box, each whole; of one that is much larger than the box,
+/// what lies in it.
+Box2 placesIn(const ReviewScene& scene, const Box2& box) {
+    constexpr float largest = 2;  // times the box
+    Box2 places;
+    const glm::vec2 room = largest * (box.high - box.low);
+    for (const PlaceRow& row : scene.list.rows)
+        for (const std::size_t i : row.reviews) {
+            const Box2 place = bounds(scene.diagrams->places[placeOf(scene.source.study, i)]);
+            if (!meet(place, box)) continue;
+            const Box2 both = unionOf(place, box);
+            const glm::vec2 size = both.high - both.low;
+            const bool isWhole = size.x <= room.x && size.y <= room.y;
+            places = unionOf(places, isWhole ? grown(place, placeMarginM) : intersectionOf(place, box));
+        }
+    return places;
+}
+
+/// What changes, the places that its shadows reach, and the shadows that reach any of them.
+Box2 touchingOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments) {
+    Box2 touching = focusOf(scene, moments);
+    if (changedBounds(*scene.diagrams).empty()) return touching;
+    for (const DiagramMoment& moment : moments) {
+        const Box2 swept = sweepOf(*scene.diagrams, moment);
+        if (!placesIn(scene, swept).empty()) touching = unionOf(touching, grown(swept, marginM));
+    }
+    return touching;
 }
 
 std::vector<QRectF> divide(const QRectF& all, int columns, int rows, double gap) {
@@ -91,8 +145,6 @@ double middleOf(double wideLow, double wideHigh, double narrowLow, double narrow
     return low <= high ? std::clamp(wide, low, high) : (narrowLow + narrowHigh) / 2;
 }
 
-glm::dvec2 middleOf(const Box2& box) { return glm::dvec2(box.low + box.high) / 2.0; }
-
 glm::dvec2 centreOf(const Box2& wide, const Box2& narrow, glm::dvec2 shown) {
     return {middleOf(wide.low.x, wide.high.x, narrow.low.x, narrow.high.x, shown.x),
             middleOf(wide.low.y, wide.high.y, narrow.low.y, narrow.high.y, shown.y)};
@@ -100,15 +152,16 @@ glm::dvec2 centreOf(const Box2& wide, const Box2& narrow, glm::dvec2 shown) {
 
 using Grid = std::pair<int, int>;
 
-/// The grids of views that a page may have, the densest first.
+/// The grids of views that a page may have, the densest first: none of whose places most would stay empty.
 std::vector<Grid> gridsOf(const ReviewScene& scene) {
     std::vector<Grid> grids = scene.settings.setup.landscape
                                   ? std::vector<Grid>{{3, 2}, {2, 2}, {2, 1}, {1, 1}}
                                   : std::vector<Grid>{{2, 3}, {2, 2}, {1, 2}, {1, 1}};
+    const auto viewsOf = [](const Grid& grid) { return std::size_t(grid.first * grid.second); };
+    while (grids.size() > 1 && viewsOf(grids[1]) >= scene.moments.size()) grids.erase(grids.begin());
     if (scene.settings.allPages || scene.settings.scale) return grids;
     std::erase_if(grids, [&](const Grid& grid) {
-        const auto views = std::size_t(grid.first * grid.second);
-        return (scene.moments.size() + views - 1) / views > maxDiagramPages;
+        return (scene.moments.size() + viewsOf(grid) - 1) / viewsOf(grid) > maxDiagramPages;
     });
     if (grids.empty()) return {scene.settings.setup.landscape ? Grid{4, 3} : Grid{3, 4}};
     return grids;
@@ -122,33 +175,51 @@ public:
           grids_(gridsOf(scene)),
           changed_(grown(changedBounds(*scene.diagrams), marginM)),
           focus_(focusOf(scene, scene.moments)),
-          reach_(unionOf(reachOf(scene, scene.moments), focus_)) {}
+          touching_(touchingOf(scene, scene.moments)),
+          all_(unionOf(reachOf(scene, scene.moments), focus_)) {}
 
     [[nodiscard]] DiagramLayout choose() const {
         if (scene_.settings.scale) return atScale(*scene_.settings.scale);
-        const Grid standard = grids_[std::min<std::size_t>(1, grids_.size() - 1)];
-        for (const double scale : roundScales)
-            if (holds(standard, scale, reach_)) return make(standard, scale, reach_);
-        for (std::size_t i = std::min<std::size_t>(1, grids_.size() - 1); i < grids_.size(); ++i)
-            if (holds(grids_[i], roundScales.back(), focus_))
-                return {grids_[i].first, grids_[i].second, roundScales.back(), middleOf(focus_)};
-        const bool isCompact = !scene_.settings.allPages;
-        if (isCompact && (changed_.empty() || holds(standard, smallestScale, focus_)))
-            return make(standard, smallestScale, focus_);
-        return make(standard, roundScales.back(), changed_.empty() ? focus_ : changed_);
+        for (const Box2* shown : {&all_, &touching_})
+            if (const auto layout = fit(*shown, readableScale)) return *layout;
+        for (const Box2* shown : {&touching_, &focus_})
+            if (const auto layout = fit(*shown, roundScales.back())) return *layout;
+        return make(grids_[std::min<std::size_t>(1, grids_.size() - 1)], readableScale,
+                    changed_.empty() ? focus_ : changed_);
     }
 
 private:
     [[nodiscard]] DiagramLayout atScale(double scale) const {
-        for (const Grid& grid : grids_)
-            if (holds(grid, scale, focus_))
-                return make(grid, scale, holds(grid, scale, reach_) ? reach_ : focus_);
+        for (const Box2* shown : {&touching_, &focus_})
+            for (const Grid& grid : grids_)
+                if (holds(grid, scale, *shown))
+                    return make(grid, scale, holds(grid, scale, all_) ? all_ : *shown);
         return make(grids_.back(), scale, changed_.empty() ? focus_ : changed_);
+    }
+
+    /// The grid that shows a box with the best of two: a large scale and few pages. Half the pages make up
+    /// for a scale of 1:1500 instead of 1:1000.
+    [[nodiscard]] std::optional<DiagramLayout> fit(const Box2& shown, double maxScale) const {
+        constexpr double weightOfPages = 0.6;
+        std::optional<DiagramLayout> best;
+        double minCost = 0;
+        for (const Grid& grid : grids_) {
+            const auto scale =
+                std::ranges::find_if(roundScales, [&](double one) { return holds(grid, one, shown); });
+            if (scale == roundScales.end() || *scale > maxScale) continue;
+            const double views = double(grid.first * grid.second);
+            const double cost =
+                *scale * std::pow(std::ceil(double(scene_.moments.size()) / views), weightOfPages);
+            if (best && cost >= minCost) continue;
+            best = make(grid, *scale, shown);
+            minCost = cost;
+        }
+        return best;
     }
 
     [[nodiscard]] DiagramLayout make(const Grid& grid, double scale, const Box2& must) const {
         const glm::dvec2 ground = groundOf(scene_, grid.first, grid.second, scale);
-        return {grid.first, grid.second, scale, centreOf(reach_, must, ground)};
+        return {grid.first, grid.second, scale, centreOf(all_, must, ground)};
     }
 
     [[nodiscard]] bool holds(const Grid& grid, double scale, const Box2& box) const {
@@ -157,7 +228,7 @@ private:
 
     const ReviewScene& scene_;
     std::vector<Grid> grids_;
-    Box2 changed_, focus_, reach_;
+    Box2 changed_, focus_, touching_, all_;
 };
 
 /// Heights of texts in points.
@@ -189,8 +260,6 @@ std::vector<QColor> colourPlaces(const ReviewBookSource& source) {
     for (const Verdict verdict : worst) colours.push_back(verdictMark(verdict));
     return colours;
 }
-
-bool meet(const Box2& a, const Box2& b) { return !intersectionOf(a, b).empty(); }
 
 /// The numbers of the places that are seen, by what the key calls them. Places without a name share an entry.
 std::map<QString, std::set<int>> seenNumbers(const ReviewScene& scene, const std::vector<Box2>& seen) {
@@ -308,33 +377,22 @@ Result<ReviewScene> makeReviewScene(const ReviewBookSource& source, const BookSe
 }
 
 Box2 reachOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments) {
-    const Box2 changed = changedBounds(*scene.diagrams);
-    if (changed.empty()) return grown(bounds(scene.diagrams->places), marginM);
-    Box2 reach = changed;
-    const double height = highestChangeM(*scene.diagrams);
-    for (const DiagramMoment& moment : moments) {
-        const glm::dvec3 sun(moment.sun.direction);
-        glm::dvec2 shift = -glm::dvec2(sun) / sun.z * height;
-        const double length = glm::length(shift);
-        if (length > farthestM) shift *= farthestM / length;
-        reach.add(changed.low + glm::vec2(shift));
-        reach.add(changed.high + glm::vec2(shift));
-    }
+    Box2 reach = changedBounds(*scene.diagrams);
+    if (reach.empty()) return grown(bounds(scene.diagrams->places), marginM);
+    for (const DiagramMoment& moment : moments) reach = unionOf(reach, sweepOf(*scene.diagrams, moment));
     return grown(reach, marginM);
 }
 
 Box2 focusOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments) {
     const Box2 reach = reachOf(scene, moments), changed = changedBounds(*scene.diagrams);
-    Box2 focus = changed.empty() ? reach : grown(changed, marginM);
-    for (const PlaceRow& row : scene.list.rows)
-        for (const std::size_t i : row.reviews) {
-            const Place& place = scene.diagrams->places[placeOf(scene.source.study, i)];
-            focus = unionOf(focus, intersectionOf(bounds(place), reach));
-        }
-    return focus;
+    return unionOf(changed.empty() ? reach : grown(changed, marginM), placesIn(scene, reach));
 }
 
-DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, double maxScale) {
+Box2 frameOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments) {
+    return unionOf(reachOf(scene, moments), focusOf(scene, moments));
+}
+
+DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown) {
     const QSizeF map = mapAreaOf(area, textScale).size();
     const glm::dvec2 size = glm::max(glm::dvec2(shown.high - shown.low), glm::dvec2(1));
     const auto holds = [&](double scale) {
@@ -342,7 +400,8 @@ DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, d
                size.y * pointsPerMetre(scale) <= map.height();
     };
     const auto scale = std::ranges::find_if(roundScales, holds);
-    return {1, 1, scale == roundScales.end() ? maxScale : *scale, glm::dvec2(shown.low + shown.high) / 2.0};
+    return {1, 1, scale == roundScales.end() ? roundScales.back() : *scale,
+            glm::dvec2(shown.low + shown.high) / 2.0};
 }
 
 DiagramLayout layoutOf(const ReviewScene& scene) { return LayoutChoice(scene).choose(); }

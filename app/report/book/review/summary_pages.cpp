@@ -1,6 +1,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
@@ -31,7 +32,8 @@ PageTable verdictTable(const ReviewScene& scene, double points) {
         const PlaceReview& first = study.places[row.reviews.front()];
         double areaM2 = 0;
         for (const std::size_t i : row.reviews) areaM2 += study.places[i].areaM2;
-        QString reason = plainText(describeReason(first, scene.settings.units));
+        const auto writeDate = [](CivilDate date) { return dayText(date).toStdString(); };
+        QString reason = plainText(describeReason(first, scene.settings.units, writeDate));
         if (row.reviews.size() > 1) reason = plainText(first.name) + QStringLiteral(": ") + reason;
         table.rows.push_back({numberedName(row), sheetText(nameOf(first.kind)),
                               QString::fromStdString(formatArea(areaM2, scene.settings.units)),
@@ -145,7 +147,7 @@ std::pair<QRectF, QRectF> halvesOf(const PageSetup& setup) {
 
 /// The view of the summary shows what changes, its shadow at the moment, and the places in reach of it.
 DiagramLayout summaryLayout(const ReviewScene& scene, const DiagramMoment& moment, const QRectF& area) {
-    return fitInto(area, textScale(scene.settings.setup), focusOf(scene, {moment}));
+    return fitInto(area, textScale(scene.settings.setup), frameOf(scene, {moment}));
 }
 
 /// "the most incremental shadow on Elm Park (fail)", by the number of the table.
@@ -178,9 +180,10 @@ Result<void> addPicture(const ReviewScene& scene, BookPage& page, const QRectF& 
     return {};
 }
 
-/// Text, then as much of the table as fits, then what is not checked where there is room. Returns what was
-/// left over as pages.
-std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const QRectF& area) {
+/// Text, then as much of the verdicts as fits, then what is not checked where there is room, then the first
+/// of the other tables. Returns what was left over as pages.
+std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const QRectF& area,
+                               std::vector<NamedTable>& tables) {
     MeasuringCanvas measure;
     const PageSetup& setup = scene.settings.setup;
     const double scale = textScale(setup), points = 7.6 * scale, gap = 8 * scale;
@@ -207,7 +210,8 @@ std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const Q
     std::vector<BookPage> pages;
     auto parts = flowTable(table, left.height(), left.height());
     const double used = tableHeightPt(parts.front());
-    if (!parts.front().rows.empty()) page.items.push_back({left, parts.front()});
+    if (!parts.front().rows.empty())
+        page.items.push_back({{left.left(), left.top(), left.width(), used}, parts.front()});
     if (const std::size_t shown = parts.front().rows.size(); shown < table.rows.size()) {
         PageTable more = verdictTable(scene, points);
         more.rows.erase(more.rows.begin(), more.rows.begin() + std::ptrdiff_t(shown));
@@ -215,10 +219,12 @@ std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const Q
         pages = makeTablePages(setup, {sheetText("Verdicts"), {}, {}, 0, {}},
                                {{sheetText("Verdicts, continued"), {}, std::move(more)}});
     }
-    if (isRestFirst) return pages;
     left = left.adjusted(0, used + gap, 0, 0);
+    if (isRestFirst) return pages;
     if (pages.empty() && restPt <= left.height()) {
-        page.items.push_back({left, PageText{rest, points}});
+        page.items.push_back({{left.left(), left.top(), left.width(), restPt}, PageText{rest, points}});
+        left = left.adjusted(0, restPt + gap, 0, 0);
+        for (PageItem& item : takeTables(tables, left, scale)) page.items.push_back(std::move(item));
         return pages;
     }
     for (BookPage& more : makeTextPages(setup, {sheetText("Summary"), {}, {}, 0, {}}, rest))
@@ -226,16 +232,42 @@ std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const Q
     return pages;
 }
 
+/// On upright paper the text goes down as far as the page ends, and the picture gets the room, up to a part.
+void lowerText(const PageSetup& setup, std::vector<PageItem>& texts, const QRectF& text, QRectF& picture) {
+    constexpr double maxPicture = 0.68;  // of the page
+    if (setup.landscape) return;
+    double bottom = text.top();
+    for (const PageItem& item : texts) bottom = std::max(bottom, item.area.bottom());
+    const double spare = maxPicture * contentArea(setup).height() - picture.height();
+    const double by = std::clamp(text.bottom() - bottom, 0.0, std::max(0.0, spare));
+    for (PageItem& item : texts) item.area.translate(0, by);
+    picture.setHeight(picture.height() + by);
+}
+
+/// The city of the rule alone would read as that of the site.
+QString subtitleOf(const ReviewScene& scene) {
+    return sheetText("Rule used in: %1. Site: %2.")
+        .arg(sheetRuleText(scene.source.study.rule.where), describeLatLon(scene.observer.place));
+}
+
 }  // namespace
 
-Result<std::vector<BookPage>> makeSummaryPages(const ReviewScene& scene, Progress& progress,
-                                               const std::stop_token& stop) {
-    const Rule& rule = scene.source.study.rule;
-    BookPage page{sheetRuleText(rule.name), sheetRuleText(rule.where), sheetText("Summary"), 0, {}};
-    const auto [picture, text] = halvesOf(scene.settings.setup);
-    if (const auto done = addPicture(scene, page, picture, progress, stop); !done)
-        return tl::make_unexpected(done.error());
-    std::vector<BookPage> more = fillText(scene, page, text);
+Result<std::vector<BookPage>> makeSummaryPages(const ReviewScene& scene, std::vector<NamedTable>& tables,
+                                               Progress& progress, const std::stop_token& stop) {
+    const PageSetup& setup = scene.settings.setup;
+    BookPage page{
+        sheetRuleText(scene.source.study.rule.name), subtitleOf(scene), sheetText("Summary"), 0, {}};
+    auto [picture, text] = halvesOf(setup);
+    const bool hasPicture = worstMoment(scene).has_value();
+    if (!hasPicture) text = contentArea(setup);
+    std::vector<BookPage> more = fillText(scene, page, text, tables);
+    if (hasPicture) {
+        std::vector<PageItem> texts = std::exchange(page.items, {});
+        lowerText(setup, texts, text, picture);
+        if (const auto done = addPicture(scene, page, picture, progress, stop); !done)
+            return tl::make_unexpected(done.error());
+        std::ranges::move(texts, std::back_inserter(page.items));
+    }
     more.insert(more.begin(), std::move(page));
     return more;
 }

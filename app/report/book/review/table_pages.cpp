@@ -22,10 +22,34 @@ std::vector<const PlaceRow*> singleRows(const ReviewScene& scene) {
     return rows;
 }
 
-/// Rows without incremental shadow are left out of long tables, and where the place has others.
+bool hasManyDays(const PlaceReview& review) { return review.rows.size() > maxDaysAll; }
+
+/// The day of a month with most incremental shadow, the first of equal ones.
+bool isWorstOfMonth(const PlaceReview& review, const ReviewRow& row) {
+    const auto sortKey = [](const ReviewRow& one) { return std::pair(-one.incrementalM2h, one.day); };
+    return std::ranges::none_of(review.rows, [&](const ReviewRow& other) {
+        return other.day.year() == row.day.year() && other.day.month() == row.day.month() &&
+               sortKey(other) < sortKey(row);
+    });
+}
+
+/// Rows without incremental shadow are left out of long tables, and where the place has others. Of many days
+/// one a month is listed unless all pages are asked for.
 bool isLeftOut(const ReviewScene& scene, const PlaceReview& review, const ReviewRow& row) {
-    if (row.durationMin > 0) return false;
-    return review.rows.size() > maxDaysAll || (!scene.settings.allPages && review.totals.incrementalM2h > 0);
+    const bool all = scene.settings.allPages;
+    if (row.durationMin > 0) return !all && hasManyDays(review) && !isWorstOfMonth(review, row);
+    return hasManyDays(review) || (!all && review.totals.incrementalM2h > 0);
+}
+
+/// What a table says of the days that it leaves out; `isMonthly`: among them days with incremental shadow.
+QString leftOutDaysText(std::size_t days, bool isMonthly) {
+    if (days == 0) return {};
+    const QString which =
+        !isMonthly ? sheetText(". %1 days without incremental shadow are in review.csv only")
+                   : sheetText(
+                         ". Of each month the day of most incremental shadow; %1 further days are in "
+                         "review.csv, and here with the option --all-pages");
+    return which.arg(describeCount(days));
 }
 
 QString leftOutText(const ReviewScene& scene) {
@@ -42,24 +66,25 @@ std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
     for (const RuleColumn& column : columns) table.titles.push_back(sheetRuleText(column.title));
     if (table.titles.empty()) return std::nullopt;
     std::size_t leftOut = 0;
+    bool isMonthly = false;
     for (const PlaceRow* listed : singleRows(scene)) {
         const PlaceReview& review = study.places[listed->reviews.front()];
         for (const ReviewRow& row : review.rows) {
             if (isLeftOut(scene, review, row)) {
                 ++leftOut;
+                isMonthly = isMonthly || row.durationMin > 0;
                 continue;
             }
             auto& texts = table.rows.emplace_back();
             for (const RuleColumn& column : columns)
-                texts.push_back(column.key == "place"
-                                    ? numberedName(*listed)
+                texts.push_back(column.key == "place" ? numberedName(*listed)
+                                : column.key == "day"
+                                    ? dayText(row.day)
                                     : plainText(localNumbers(columnText(review, row, column.key))));
         }
     }
     if (table.rows.empty()) return std::nullopt;
-    QString note = leftOut == 0 ? QString()
-                                : sheetText(". %1 days without incremental shadow are in review.csv only")
-                                      .arg(describeCount(leftOut));
+    QString note = leftOutDaysText(leftOut, isMonthly);
     if (const QString places = leftOutText(scene); !places.isEmpty()) note += QStringLiteral(". ") + places;
     return NamedTable{
         sheetText("Table of the rule"),
@@ -102,7 +127,7 @@ std::optional<NamedTable> criteriaTable(const ReviewScene& scene) {
                      (criterion.advisory ? sheetText(" (does not decide)") : QString()),
                  measured(result.value), measured(result.former),
                  criterion.limits.empty() ? sheetText("none") : plainText(describeLimits(criterion, units)),
-                 result.day ? dayText(*result.day) : none, sheetText(nameOf(result.verdict))});
+                 result.day ? dayText(*result.day) : none, sheetText(nameResult(criterion, result))});
         }
     }
     if (table.rows.empty()) return std::nullopt;
@@ -214,11 +239,15 @@ std::optional<NamedTable> contributionTable(const ReviewScene& scene) {
 
 }  // namespace
 
-std::vector<BookPage> makeReviewTablePages(const ReviewScene& scene) {
+std::vector<NamedTable> listReviewTables(const ReviewScene& scene) {
     std::vector<NamedTable> tables;
     for (auto& table : {sumTable(scene), seasonTable(scene), contributionTable(scene), criteriaTable(scene),
                         ruleTable(scene)})
         if (table) tables.push_back(table.value());
+    return tables;
+}
+
+std::vector<BookPage> makeReviewTablePages(const ReviewScene& scene, std::vector<NamedTable> tables) {
     if (tables.empty()) return {};
     return makeTablePages(scene.settings.setup, {sheetText("Tables"), {}, sheetText("Tables"), 0, {}},
                           std::move(tables));

@@ -226,15 +226,16 @@ void GlazingTable::describe(const QTreeWidgetItem* item) {
     if (item == nullptr || !answer_) return Q_EMIT described({});
     const GlazingReview& review = *rows_[item->data(0, rowRole).toULongLong()];
     const GlazingStudy& study = answer_->study;
-    QString words = tr("%1: %2.").arg(QString::fromStdString(review.window.id),
-                                      inWindowWords([&] { return describeReason(study.rule, review); }));
+    QString words =
+        tr("%1: %2.").arg(QString::fromStdString(review.window.id),
+                          inWindowWords([&] { return describeReason(study.rule, review, writeDay); }));
     if (review.day) {
         const auto bands = [&](const std::vector<SunBand>& of) {
             const std::string text = bandsText(study, *review.day, of);
             return text.empty() ? tr("none") : QString::fromStdString(text);
         };
         words += ' ' + tr("Sun on %1: %2; before: %3.")
-                           .arg(QString::fromStdString(formatText(*review.day)), bands(review.bands),
+                           .arg(QLocale().toString(dateOf(*review.day), dayOfYear()), bands(review.bands),
                                 bands(review.formerBands));
     }
     Q_EMIT described(words);
