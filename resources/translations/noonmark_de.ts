@@ -2268,18 +2268,6 @@ Opens the panel Review.</source>
         </translation>
     </message>
     <message>
-        <source>Max shadow, min</source>
-        <translation>Größter Schatten, min</translation>
-    </message>
-    <message>
-        <source>Min shadow, min</source>
-        <translation>Geringster Schatten, min</translation>
-    </message>
-    <message>
-        <source>Mean shadow, min</source>
-        <translation>Mittlerer Schatten, min</translation>
-    </message>
-    <message>
         <source>%1: minutes of shadow</source>
         <translation>%1: Minuten Schatten</translation>
     </message>
@@ -2804,6 +2792,1178 @@ Opens the panel Review.</source>
     <message>
         <source>Australia</source>
         <translation>Australien</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>New shadow enters</source>
+        <translation>Neuer Schatten tritt ein</translation>
+    </message>
+    <message>
+        <source>New shadow exits</source>
+        <translation>Neuer Schatten tritt aus</translation>
+    </message>
+    <message>
+        <source>Duration, min</source>
+        <translation>Dauer, min</translation>
+    </message>
+    <message>
+        <source>Largest area, m²</source>
+        <translation>Größte Fläche, m²</translation>
+    </message>
+    <message>
+        <source>At one spot, min</source>
+        <translation>An einer Stelle, min</translation>
+    </message>
+    <message>
+        <source>Shadow of fences and other small structures</source>
+        <translation>Schatten von Zäunen und anderen kleinen Bauteilen</translation>
+    </message>
+    <message>
+        <source>The rule asks for diagrams and states no limit, so there are figures and no verdict.</source>
+        <translation>Die Regel verlangt Pläne und nennt keine Grenze, daher gibt es Zahlen und keinen Befund.</translation>
+    </message>
+    <message>
+        <source>The equinoxes and solstices are the 21st of March, June, September and December.</source>
+        <translation>Die Tagundnachtgleichen und Sonnenwenden sind der 21. März, Juni, September und Dezember.</translation>
+    </message>
+    <message>
+        <source>Diagrams at 9, 12 and 15 h on the equinoxes and solstices, and at 18 h in summer and autumn.</source>
+        <translation>Pläne um 9, 12 und 15 h an den Tagundnachtgleichen und Sonnenwenden, im Sommer und Herbst auch um 18 h.</translation>
+    </message>
+    <message>
+        <source>Minutes with new shadow anywhere outside the first and last hour</source>
+        <translation>Minuten mit neuem Schatten irgendwo außerhalb der ersten und letzten Stunde</translation>
+    </message>
+    <message>
+        <source>Park</source>
+        <translation>Park</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>Minuten</translation>
+    </message>
+    <message>
+        <source>Exemptions and shadow banks</source>
+        <translation>Ausnahmen und Schattenkonten</translation>
+    </message>
+    <message>
+        <source>Sunrise and sunset are those of the upper limb with refraction: the definition is not stated.</source>
+        <translation>Sonnenauf- und -untergang sind die des Oberrands mit Refraktion: die Definition ist nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>New shadow is shadow on ground that is lit in the baseline.</source>
+        <translation>Neuer Schatten ist Schatten auf Boden, der in der Ausgangslage besonnt ist.</translation>
+    </message>
+    <message>
+        <source>New shadow only in the first hour after sunrise or 7:00 (the later) and in the last hour before sunset.</source>
+        <translation>Neuer Schatten nur in der ersten Stunde nach Sonnenaufgang oder 7:00 (dem späteren) und in der letzten Stunde vor Sonnenuntergang.</translation>
+    </message>
+    <message>
+        <source>New shadow at the worst spot</source>
+        <translation>Neuer Schatten an der schlechtesten Stelle</translation>
+    </message>
+    <message>
+        <source>At the worst spot, min</source>
+        <translation>An der schlechtesten Stelle, min</translation>
+    </message>
+    <message>
+        <source>Anywhere, min</source>
+        <translation>Irgendwo, min</translation>
+    </message>
+    <message>
+        <source>Exemptions, and areas too small to count</source>
+        <translation>Ausnahmen, und Flächen, die zu klein sind, um zu zählen</translation>
+    </message>
+    <message>
+        <source>The two hours are those of the worst spot: the figures at hand do not say whether a spot or the whole park is meant. The table states both.</source>
+        <translation>Die zwei Stunden gelten für die schlechteste Stelle: die vorliegenden Zahlen sagen nicht, ob eine Stelle oder der ganze Park gemeint ist. Die Tabelle nennt beides.</translation>
+    </message>
+    <message>
+        <source>Less than 2 h of new shadow within 8:00-14:30, from 21 March to 21 October.</source>
+        <translation>Weniger als 2 h neuer Schatten von 8:00 bis 14:30, vom 21. März bis 21. Oktober.</translation>
+    </message>
+    <message>
+        <source>Share of the space with 2 h of sun</source>
+        <translation>Anteil der Fläche mit 2 h Sonne</translation>
+    </message>
+    <message>
+        <source>Amenity space</source>
+        <translation>Freifläche</translation>
+    </message>
+    <message>
+        <source>Share with 2 h of sun</source>
+        <translation>Anteil mit 2 h Sonne</translation>
+    </message>
+    <message>
+        <source>Least sun, min</source>
+        <translation>Wenigste Sonne, min</translation>
+    </message>
+    <message>
+        <source>The windows&apos; part of BRE 209: annual probable sunlight hours, vertical sky component</source>
+        <translation>Der Fensterteil von BRE 209: jährliche wahrscheinliche Sonnenstunden, vertikaler Himmelslichtanteil</translation>
+    </message>
+    <message>
+        <source>Shadow of fences</source>
+        <translation>Schatten von Zäunen</translation>
+    </message>
+    <message>
+        <source>The two hours may be broken up.</source>
+        <translation>Die zwei Stunden dürfen unterbrochen sein.</translation>
+    </message>
+    <message>
+        <source>A space that meets the limit by its former value is stated with its new share.</source>
+        <translation>Eine Fläche, welche die Grenze durch ihren früheren Wert erfüllt, ist mit ihrem neuen Anteil angegeben.</translation>
+    </message>
+    <message>
+        <source>As reported, of trees only dense belts of evergreens count for sun on the ground. A cell is in their shade where they take half of the sun or more.</source>
+        <translation>Wie berichtet, zählen von den Bäumen für die Sonne am Boden nur dichte Gürtel immergrüner. Eine Zelle liegt in ihrem Schatten, wo sie die Hälfte der Sonne oder mehr nehmen.</translation>
+    </message>
+    <message>
+        <source>At least 2 h of sun on 21 March over at least half of an amenity space, or else at least 0.8 times its former value.</source>
+        <translation>Mindestens 2 h Sonne am 21. März auf mindestens der Hälfte einer Freifläche, oder sonst mindestens das 0,8-fache ihres früheren Werts.</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außen</translation>
+    </message>
+    <message>
+        <source>windows of</source>
+        <translation>Fenster von</translation>
+    </message>
+    <message>
+        <source>neighbours</source>
+        <translation>Nachbarn</translation>
+    </message>
+    <message>
+        <source>own scheme</source>
+        <translation>eigenem Vorhaben</translation>
+    </message>
+    <message>
+        <source>Annual probable sunlight hours</source>
+        <translation>Jährliche wahrscheinliche Sonnenstunden</translation>
+    </message>
+    <message>
+        <source>Loss of annual probable sunlight hours</source>
+        <translation>Verlust an jährlichen wahrscheinlichen Sonnenstunden</translation>
+    </message>
+    <message>
+        <source>Vertical sky component</source>
+        <translation>Vertikaler Himmelslichtanteil</translation>
+    </message>
+    <message>
+        <source>Probable sunlight hours from 21 September to 21 March, of those of the year</source>
+        <translation>Wahrscheinliche Sonnenstunden vom 21. September bis 21. März, von denen des Jahres</translation>
+    </message>
+    <message>
+        <source>Sunlight is asked of windows that face within 90 degrees of due south</source>
+        <translation>Sonnenlicht wird für Fenster verlangt, die höchstens 90 Grad von Süden abweichen</translation>
+    </message>
+    <message>
+        <source>No-sky line and daylight in rooms</source>
+        <translation>Grenzlinie des sichtbaren Himmels und Tageslicht in Räumen</translation>
+    </message>
+    <message>
+        <source>Which rooms are living rooms: all windows are evaluated</source>
+        <translation>Welche Räume Wohnräume sind: alle Fenster werden geprüft</translation>
+    </message>
+    <message>
+        <source>Windows that face north are asked for the sky component only</source>
+        <translation>Fenster nach Norden müssen nur den Himmelslichtanteil erfüllen</translation>
+    </message>
+    <message>
+        <source>Shadow of fences and blinds</source>
+        <translation>Schatten von Zäunen und Jalousien</translation>
+    </message>
+    <message>
+        <source>A window&apos;s sunlight suffers if it misses a target of its own, falls below 0.8 times the former value in that period, and loses more than 4 points of the year: it holds if one of the three does not occur. Where an authority asks for both 0.8 times and a loss of at most 4 points, copy the rule and change holds_if.</source>
+        <translation>Das Sonnenlicht eines Fensters leidet, wenn es ein eigenes Ziel verfehlt, in diesem Zeitraum unter das 0,8-fache des früheren Werts fällt und mehr als 4 Punkte des Jahres verliert: es gilt, wenn eines der drei nicht eintritt. Wo eine Behörde sowohl das 0,8-fache als auch einen Verlust von höchstens 4 Punkten verlangt, kopieren Sie die Regel und ändern holds_if.</translation>
+    </message>
+    <message>
+        <source>Without a table of sunshine probability every hour with the sun up counts alike, and shares are of plain possible hours. Add a table for the place as &quot;sunshine&quot; in a copy of the rule, or with --sunshine.</source>
+        <translation>Ohne eine Tabelle der Sonnenscheinwahrscheinlichkeit zählt jede Stunde mit der Sonne am Himmel gleich, und Anteile gelten für einfache mögliche Stunden. Fügen Sie in einer Kopie der Regel unter &quot;sunshine&quot; oder mit --sunshine eine Tabelle für den Ort hinzu.</translation>
+    </message>
+    <message>
+        <source>Shares are of the hours of the unobstructed sun in a whole year, also those of winter.</source>
+        <translation>Anteile gelten für die Stunden der unverstellten Sonne im ganzen Jahr, auch die des Winters.</translation>
+    </message>
+    <message>
+        <source>The point is in the middle of the pane on the outside face. With the choice of the inside face, the sun must also pass the opening in the wall.</source>
+        <translation>Der Punkt liegt in der Mitte der Scheibe auf der Außenseite. Mit der Wahl der Innenseite muss die Sonne auch durch die Öffnung in der Wand.</translation>
+    </message>
+    <message>
+        <source>As reported, deciduous trees are left out before neighbours&apos; windows, and evergreens count. With the choice of one&apos;s own scheme, existing trees count by their season, and of the proposed ones the evergreens.</source>
+        <translation>Wie berichtet, bleiben Laubbäume vor Fenstern der Nachbarn weg, und immergrüne zählen. Mit der Wahl des eigenen Vorhabens zählen vorhandene Bäume nach Jahreszeit, und von den geplanten die immergrünen.</translation>
+    </message>
+    <message>
+        <source>Sun through crowns counts by the share that they let pass; a run is broken where they take half of it or more. The vertical sky component has the mean of the days with leaves and without.</source>
+        <translation>Sonne durch Kronen zählt mit dem Anteil, den sie durchlassen; eine Dauer ist unterbrochen, wo sie die Hälfte davon oder mehr nehmen. Der vertikale Himmelslichtanteil ist das Mittel der Tage mit und ohne Laub.</translation>
+    </message>
+    <message>
+        <source>Windows of neighbours: vertical sky component at least 27 %, annual probable sunlight hours at least 25 % with 5 % in winter, each or else 0.8 times the former value; a loss of sunlight of at most 4 points is never notable.</source>
+        <translation>Fenster der Nachbarn: vertikaler Himmelslichtanteil mindestens 27 %, jährliche wahrscheinliche Sonnenstunden mindestens 25 %, davon 5 % im Winter, jeweils oder sonst das 0,8-fache des früheren Werts; ein Verlust von höchstens 4 Punkten Sonnenlicht ist nie spürbar.</translation>
+    </message>
+    <message>
+        <source>Minutes in which all direct sun is eliminated</source>
+        <translation>Minuten, in denen alle direkte Sonne verschwindet</translation>
+    </message>
+    <message>
+        <source>Sun for plants at the worst spot, growing season</source>
+        <translation>Sonne für Pflanzen an der schlechtesten Stelle, Wachstumszeit</translation>
+    </message>
+    <message>
+        <source>Resource</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Analysis day</source>
+        <translation>Untersuchungstag</translation>
+    </message>
+    <message>
+        <source>Incremental shadow enters</source>
+        <translation>Zusätzlicher Schatten tritt ein</translation>
+    </message>
+    <message>
+        <source>Incremental shadow exits</source>
+        <translation>Zusätzlicher Schatten tritt aus</translation>
+    </message>
+    <message>
+        <source>Duration, h:min</source>
+        <translation>Dauer, h:min</translation>
+    </message>
+    <message>
+        <source>Longest at one spot, h:min</source>
+        <translation>Am längsten an einer Stelle, h:min</translation>
+    </message>
+    <message>
+        <source>All direct sun eliminated, min</source>
+        <translation>Alle direkte Sonne genommen, min</translation>
+    </message>
+    <message>
+        <source>Trigger: 50 ft or more, or more than 10 ft next to a resource</source>
+        <translation>Auslöser: 50 ft und mehr, oder mehr als 10 ft neben einem schützenswerten Ort</translation>
+    </message>
+    <message>
+        <source>Longest shadow: 4.3 x height</source>
+        <translation>Längster Schatten: 4,3 x Höhe</translation>
+    </message>
+    <message>
+        <source>No shadow between 108 and 252 degrees from north</source>
+        <translation>Kein Schatten zwischen 108 und 252 Grad von Norden</translation>
+    </message>
+    <message>
+        <source>Hours: from 1.5 h after sunrise to 1.5 h before sunset</source>
+        <translation>Stunden: von 1,5 h nach Sonnenaufgang bis 1,5 h vor Sonnenuntergang</translation>
+    </message>
+    <message>
+        <source>Growing season: April to October; a statement on it is asked for</source>
+        <translation>Wachstumszeit: April bis Oktober; eine Aussage dazu wird verlangt</translation>
+    </message>
+    <message>
+        <source>All direct sun eliminated from a resource for more than 10 min is generally significant</source>
+        <translation>Alle direkte Sonne mehr als 10 min lang von einem Ort genommen gilt in der Regel als erheblich</translation>
+    </message>
+    <message>
+        <source>Plants need 4 to 6 h of sun</source>
+        <translation>Pflanzen brauchen 4 bis 6 h Sonne</translation>
+    </message>
+    <message>
+        <source>The trigger (height of the proposal) and whether the resource is sensitive to sunlight</source>
+        <translation>Der Auslöser (Höhe des Entwurfs), und ob der Ort auf Sonne angewiesen ist</translation>
+    </message>
+    <message>
+        <source>Significance of incremental shadow that leaves some sun: the rule asks for a judgement</source>
+        <translation>Erheblichkeit zusätzlichen Schattens, der etwas Sonne lässt: die Regel verlangt ein Urteil</translation>
+    </message>
+    <message>
+        <source>Stained glass and facades are measured on the ground in front of them</source>
+        <translation>Buntglasfenster und Fassaden werden auf dem Boden vor ihnen gemessen</translation>
+    </message>
+    <message>
+        <source>Landscaped medians with seats, unless they are places of the project</source>
+        <translation>Begrünte Mittelstreifen mit Sitzplätzen, außer wenn sie Orte des Projekts sind</translation>
+    </message>
+    <message>
+        <source>The duration is the time with incremental shadow anywhere on the resource, without breaks.</source>
+        <translation>Die Dauer ist die Zeit mit zusätzlichem Schatten irgendwo auf dem Ort, ohne Unterbrechungen.</translation>
+    </message>
+    <message>
+        <source>Kinds that the rule does not name (playground, plaza, cemetery, other) are evaluated as open space. Streets are not.</source>
+        <translation>Arten, welche die Regel nicht nennt (Spielplatz, Platz, Friedhof, andere), werden als Freiraum geprüft. Straßen nicht.</translation>
+    </message>
+    <message>
+        <source>The sun for plants is counted within the rule&apos;s hours and compared with the lower figure, 4 h; it does not decide the verdict.</source>
+        <translation>Die Sonne für Pflanzen wird in den Stunden der Regel gezählt und mit dem kleineren Wert, 4 h, verglichen; sie entscheidet nicht über den Befund.</translation>
+    </message>
+    <message>
+        <source>Incremental shadow of a proposal on sunlight-sensitive resources on four analysis days, against the No-Action scenario.</source>
+        <translation>Zusätzlicher Schatten eines Entwurfs auf sonnenbedürftige Orte an vier Untersuchungstagen, gegenüber dem Szenario ohne Vorhaben.</translation>
+    </message>
+    <message>
+        <source>counting</source>
+        <translation>Zählung</translation>
+    </message>
+    <message>
+        <source>Beijing, runs from 5 min</source>
+        <translation>Peking, Abschnitte ab 5 min</translation>
+    </message>
+    <message>
+        <source>Hangzhou, two longest runs</source>
+        <translation>Hangzhou, die zwei längsten Abschnitte</translation>
+    </message>
+    <message>
+        <source>all runs</source>
+        <translation>alle Abschnitte</translation>
+    </message>
+    <message>
+        <source>day</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>Great Cold, 2 h</source>
+        <translation>Große Kälte, 2 h</translation>
+    </message>
+    <message>
+        <source>Great Cold, 3 h</source>
+        <translation>Große Kälte, 3 h</translation>
+    </message>
+    <message>
+        <source>winter solstice, 1 h</source>
+        <translation>Wintersonnenwende, 1 h</translation>
+    </message>
+    <message>
+        <source>winter solstice</source>
+        <translation>Wintersonnenwende</translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>Winkel zur Scheibe</translation>
+    </message>
+    <message>
+        <source>15 degrees</source>
+        <translation>15 Grad</translation>
+    </message>
+    <message>
+        <source>wall over width</source>
+        <translation>Wand durch Breite</translation>
+    </message>
+    <message>
+        <source>Effective sun at both ends of the sill</source>
+        <translation>Wirksame Sonne an beiden Enden der Brüstung</translation>
+    </message>
+    <message>
+        <source>Great Cold</source>
+        <translation>Große Kälte</translation>
+    </message>
+    <message>
+        <source>The sun counts from a sweep angle of 15 degrees, or arctan(thickness of the wall / width of the window)</source>
+        <translation>Die Sonne zählt ab einem Winkel von 15 Grad zur Scheibe, oder arctan(Wanddicke / Fensterbreite)</translation>
+    </message>
+    <message>
+        <source>Beijing drops runs below 5 min; 30 min is also reported</source>
+        <translation>Peking lässt Abschnitte unter 5 min weg; auch 30 min werden berichtet</translation>
+    </message>
+    <message>
+        <source>Hangzhou sums the longest runs, steps of at most 5 min</source>
+        <translation>Hangzhou summiert die längsten Abschnitte, Schritte von höchstens 5 min</translation>
+    </message>
+    <message>
+        <source>Households: which windows belong to a household, and that one living room is enough</source>
+        <translation>Haushalte: welche Fenster zu einem Haushalt gehören, und dass ein Wohnraum genügt</translation>
+    </message>
+    <message>
+        <source>The climate zone and size of the city, which choose the day</source>
+        <translation>Klimazone und Größe der Stadt, die den Tag bestimmen</translation>
+    </message>
+    <message>
+        <source>The sun counts while both ends of the sill have it at once.</source>
+        <translation>Die Sonne zählt, solange beide Enden der Brüstung sie zugleich haben.</translation>
+    </message>
+    <message>
+        <source>Windows of 1.5 m stand in where the file states no sizes.</source>
+        <translation>Fenster von 1,5 m stehen für solche, deren Größe die Datei nicht nennt.</translation>
+    </message>
+    <message>
+        <source>Hangzhou: the two longest runs are summed; how many is not stated in what we have.</source>
+        <translation>Hangzhou: die zwei längsten Abschnitte werden summiert; wie viele es sind, sagt das Vorliegende nicht.</translation>
+    </message>
+    <message>
+        <source>Homes: at least 2 h of sun on the Great Cold day from 8 to 16 h, or 1 h on the winter solstice from 9 to 15 h, true solar time, at both ends of the sill.</source>
+        <translation>Wohnungen: mindestens 2 h Sonne am Tag der Großen Kälte von 8 bis 16 h, oder 1 h zur Wintersonnenwende von 9 bis 15 h, wahre Sonnenzeit, an beiden Enden der Brüstung.</translation>
+    </message>
+    <message>
+        <source>country</source>
+        <translation>Land</translation>
+    </message>
+    <message>
+        <source>Czech Republic, 13 deg</source>
+        <translation>Tschechien, 13 Grad</translation>
+    </message>
+    <message>
+        <source>Germany, 11 deg</source>
+        <translation>Deutschland, 11 Grad</translation>
+    </message>
+    <message>
+        <source>of choice</source>
+        <translation>nach Wahl</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>schlechtester</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>mittel</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>Mindestmaß</translation>
+    </message>
+    <message>
+        <source>Sun in the room</source>
+        <translation>Sonne im Raum</translation>
+    </message>
+    <message>
+        <source>Levels: 1.5 h minimum, 4 h high</source>
+        <translation>Stufen: 1,5 h Mindestmaß, 4 h hoch</translation>
+    </message>
+    <message>
+        <source>Level: 3 h medium</source>
+        <translation>Stufe: 3 h mittel</translation>
+    </message>
+    <message>
+        <source>Which rooms are habitable, and that one room of a dwelling is enough</source>
+        <translation>Welche Räume Aufenthaltsräume sind, und dass ein Raum einer Wohnung genügt</translation>
+    </message>
+    <message>
+        <source>Least altitudes of countries other than Germany and the Czech Republic: change lowest_sun_deg in a copy of the rule</source>
+        <translation>Mindesthöhen anderer Länder als Deutschland und Tschechien: lowest_sun_deg in einer Kopie der Regel ändern</translation>
+    </message>
+    <message>
+        <source>Times through several openings of a room add up where they are not at the same moment: name the rooms in the file of windows (field room). Windows without a room are rooms of their own.</source>
+        <translation>Zeiten durch mehrere Öffnungen eines Raums werden addiert, wo sie nicht zugleich sind: nennen Sie die Räume in der Datei der Fenster (Feld room). Fenster ohne Raum sind eigene Räume.</translation>
+    </message>
+    <message>
+        <source>On the day of the user&apos;s choice: the best day of the range decides. The choice &quot;day=worst&quot; asks it of every day.</source>
+        <translation>Am Tag nach Wahl: der beste Tag des Zeitraums entscheidet. Die Wahl &quot;day=worst&quot; verlangt es an jedem Tag.</translation>
+    </message>
+    <message>
+        <source>Obstructions are looked up from the outside face; the opening, as deep as the wall, hides what the inside face does not see.</source>
+        <translation>Hindernisse werden von der Außenseite aus gesucht; die Öffnung, so tief wie die Wand, verdeckt, was die Innenseite nicht sieht.</translation>
+    </message>
+    <message>
+        <source>The least altitude depends on the country. That of Germany is taken unless another country is chosen.</source>
+        <translation>Die Mindesthöhe hängt vom Land ab. Genommen wird die von Deutschland, wenn kein anderes Land gewählt ist.</translation>
+    </message>
+    <message>
+        <source>On one day between 1 February and 21 March at least 1.5 h of sun in one habitable room; 3 h medium, 4 h high.</source>
+        <translation>An einem Tag zwischen 1. Februar und 21. März mindestens 1,5 h Sonne in einem Aufenthaltsraum; 3 h mittel, 4 h hoch.</translation>
+    </message>
+    <message>
+        <source>Longest unbroken sun</source>
+        <translation>Längste ununterbrochene Sonne</translation>
+    </message>
+    <message>
+        <source>Sun of the day</source>
+        <translation>Sonne des Tages</translation>
+    </message>
+    <message>
+        <source>3 h of unbroken sun, or 3.5 h with one break</source>
+        <translation>3 h ununterbrochene Sonne, oder 3,5 h mit einer Unterbrechung</translation>
+    </message>
+    <message>
+        <source>Which rooms must have it</source>
+        <translation>Welche Räume sie haben müssen</translation>
+    </message>
+    <message>
+        <source>The worst day decides.</source>
+        <translation>Der schlechteste Tag entscheidet.</translation>
+    </message>
+    <message>
+        <source>With one break: the two longest parts of the day&apos;s sun add up to 3.5 h, whatever sun follows.</source>
+        <translation>Mit einer Unterbrechung: die zwei längsten Teile der Sonne des Tages ergeben zusammen 3,5 h, welche Sonne auch folgt.</translation>
+    </message>
+    <message>
+        <source>Every break counts, also one of a minute: the sun before and after it are two parts. The bands of the window state them.</source>
+        <translation>Jede Unterbrechung zählt, auch eine von einer Minute: die Sonne davor und danach sind zwei Teile. Die Bänder des Fensters nennen sie.</translation>
+    </message>
+    <message>
+        <source>From 22 April to 22 August at least 3 h of unbroken sun, or 3.5 h with one break; a loss of at most 50 %.</source>
+        <translation>Vom 22. April bis 22. August mindestens 3 h ununterbrochene Sonne, oder 3,5 h mit einer Unterbrechung; ein Verlust von höchstens 50 %.</translation>
+    </message>
+    <message>
+        <source>The sheet has no limit, so there are figures and no verdict.</source>
+        <translation>Das Blatt hat keine Grenze, daher gibt es Zahlen und keinen Befund.</translation>
+    </message>
+    <message>
+        <source>The solstices and equinoxes are the 21st of March, June, September and December.</source>
+        <translation>Die Sonnenwenden und Tagundnachtgleichen sind der 21. März, Juni, September und Dezember.</translation>
+    </message>
+    <message>
+        <source>Diagrams at 9, 12 and 15 h on the solstices and equinoxes: the general sheet.</source>
+        <translation>Pläne um 9, 12 und 15 h an den Sonnenwenden und Tagundnachtgleichen: das allgemeine Blatt.</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>3 h, 2 h</source>
+        <translation>3 h, 2 h</translation>
+    </message>
+    <message>
+        <source>4 h, 2.5 h</source>
+        <translation>4 h, 2,5 h</translation>
+    </message>
+    <message>
+        <source>5 h, 3 h</source>
+        <translation>5 h, 3 h</translation>
+    </message>
+    <message>
+        <source>Hokkaido 2 h, 1.5 h</source>
+        <translation>Hokkaido 2 h, 1,5 h</translation>
+    </message>
+    <message>
+        <source>Hokkaido 3 h, 2 h</source>
+        <translation>Hokkaido 3 h, 2 h</translation>
+    </message>
+    <message>
+        <source>Hokkaido 4 h, 2.5 h</source>
+        <translation>Hokkaido 4 h, 2,5 h</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>1.5 m</source>
+        <translation>1,5 m</translation>
+    </message>
+    <message>
+        <source>4 m</source>
+        <translation>4 m</translation>
+    </message>
+    <message>
+        <source>6.5 m</source>
+        <translation>6,5 m</translation>
+    </message>
+    <message>
+        <source>Shadow beyond 10 m of the parcel line</source>
+        <translation>Schatten jenseits von 10 m von der Grundstücksgrenze</translation>
+    </message>
+    <message>
+        <source>Shadow within 5 to 10 m of the parcel line</source>
+        <translation>Schatten von 5 bis 10 m von der Grundstücksgrenze</translation>
+    </message>
+    <message>
+        <source>Parcel and belt</source>
+        <translation>Grundstück und Gürtel</translation>
+    </message>
+    <message>
+        <source>Longest shadow at a point, min</source>
+        <translation>Längster Schatten an einem Punkt, min</translation>
+    </message>
+    <message>
+        <source>Shadow anywhere, min</source>
+        <translation>Schatten irgendwo, min</translation>
+    </message>
+    <message>
+        <source>True solar time 8 to 16 h; Hokkaido 9 to 15 h</source>
+        <translation>Wahre Sonnenzeit 8 bis 16 h; Hokkaido 9 bis 15 h</translation>
+    </message>
+    <message>
+        <source>Plane 1.5, 4 or 6.5 m above the mean ground</source>
+        <translation>Ebene 1,5, 4 oder 6,5 m über dem mittleren Boden</translation>
+    </message>
+    <message>
+        <source>Limits within 5 to 10 m of the parcel line and beyond 10 m: 3 and 2 h, 4 and 2.5 h, 5 and 3 h; Hokkaido 2 and 1.5 h, 3 and 2 h, 4 and 2.5 h</source>
+        <translation>Grenzen von 5 bis 10 m von der Grundstücksgrenze und jenseits von 10 m: 3 und 2 h, 4 und 2,5 h, 5 und 3 h; Hokkaido 2 und 1,5 h, 3 und 2 h, 4 und 2,5 h</translation>
+    </message>
+    <message>
+        <source>Triggers: eaves above 7 m or 3 storeys and more (plane of 1.5 m), above 10 m (planes of 4 and 6.5 m)</source>
+        <translation>Auslöser: Traufe über 7 m oder 3 Geschosse und mehr (Ebene 1,5 m), über 10 m (Ebenen 4 und 6,5 m)</translation>
+    </message>
+    <message>
+        <source>The parcel line moves out by half the width of a road of at most 10 m, else to 5 m inside its far side</source>
+        <translation>Die Grundstücksgrenze rückt um die halbe Breite einer Straße von höchstens 10 m nach außen, sonst bis 5 m vor deren ferne Seite</translation>
+    </message>
+    <message>
+        <source>Sheets: hourly (half-hourly) shadows, isochrones, 5 m and 10 m lines, designated points; island shadows must not be missed</source>
+        <translation>Blätter: stündliche (halbstündliche) Schatten, Isochronen, Linien bei 5 m und 10 m, festgelegte Punkte; Inselschatten dürfen nicht übersehen werden</translation>
+    </message>
+    <message>
+        <source>The triggers (eaves, storeys, zone): choose plane and limits</source>
+        <translation>Die Auslöser (Traufe, Geschosse, Zone): Ebene und Grenzen wählen</translation>
+    </message>
+    <message>
+        <source>Roads, water and railways along the parcels that the project does not state; edges set back more than 1 m are taken to be on none</source>
+        <translation>Straßen, Wasser und Bahnen an den Grundstücken, die das Projekt nicht nennt; Ränder, die mehr als 1 m zurückliegen, gelten als an keiner gelegen</translation>
+    </message>
+    <message>
+        <source>Designated points</source>
+        <translation>Festgelegte Punkte</translation>
+    </message>
+    <message>
+        <source>The winter solstice is 21 December.</source>
+        <translation>Die Wintersonnenwende ist der 21. Dezember.</translation>
+    </message>
+    <message>
+        <source>The places are the parcels; Noonmark measures the belts around them.</source>
+        <translation>Die Orte sind die Grundstücke; Noonmark misst die Gürtel um sie.</translation>
+    </message>
+    <message>
+        <source>The mean ground is the height 0 of the project&apos;s plane, unless the project has terrain.</source>
+        <translation>Der mittlere Boden ist die Höhe 0 der Projektebene, außer wenn das Projekt Gelände hat.</translation>
+    </message>
+    <message>
+        <source>Shadow of the proposal on a plane above the mean ground on the winter solstice, between the 5 m and 10 m lines around the parcel and beyond them.</source>
+        <translation>Schatten des Entwurfs auf einer Ebene über dem mittleren Boden zur Wintersonnenwende, zwischen den Linien bei 5 m und 10 m um das Grundstück und jenseits davon.</translation>
+    </message>
+    <message>
+        <source>Sun in total from 8 to 16 h</source>
+        <translation>Sonne insgesamt von 8 bis 16 h</translation>
+    </message>
+    <message>
+        <source>Unbroken sun from 9 to 15 h</source>
+        <translation>Ununterbrochene Sonne von 9 bis 15 h</translation>
+    </message>
+    <message>
+        <source>Windows of schools and playgrounds within 200 m</source>
+        <translation>Fenster von Schulen und Spielplätzen im Umkreis von 200 m</translation>
+    </message>
+    <message>
+        <source>One of the two is enough.</source>
+        <translation>Eines von beiden genügt.</translation>
+    </message>
+    <message>
+        <source>On the winter solstice at least 4 h of sun in total from 8 to 16 h, or 2 h unbroken from 9 to 15 h.</source>
+        <translation>Zur Wintersonnenwende mindestens 4 h Sonne insgesamt von 8 bis 16 h, oder 2 h ununterbrochen von 9 bis 15 h.</translation>
+    </message>
+    <message>
+        <source>park type</source>
+        <translation>Parktyp</translation>
+    </message>
+    <message>
+        <source>1 or 2</source>
+        <translation>1 oder 2</translation>
+    </message>
+    <message>
+        <source>3</source>
+        <translation>3</translation>
+    </message>
+    <message>
+        <source>Minutes with added shadow anywhere</source>
+        <translation>Minuten mit hinzukommendem Schatten irgendwo</translation>
+    </message>
+    <message>
+        <source>Added shadow enters</source>
+        <translation>Hinzukommender Schatten tritt ein</translation>
+    </message>
+    <message>
+        <source>Added shadow exits</source>
+        <translation>Hinzukommender Schatten tritt aus</translation>
+    </message>
+    <message>
+        <source>No added shadow from 10 to 15 h on 21 June; type 3 from 10 to 14 h. As proposed</source>
+        <translation>Kein hinzukommender Schatten von 10 bis 15 h am 21. Juni; Typ 3 von 10 bis 14 h. Wie vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>The type of the park: choose the option</source>
+        <translation>Der Typ des Parks: die Möglichkeit wählen</translation>
+    </message>
+    <message>
+        <source>The figures are those proposed, not those adopted.</source>
+        <translation>Die Zahlen sind die vorgeschlagenen, nicht die beschlossenen.</translation>
+    </message>
+    <message>
+        <source>No added shadow on parks from 10 to 15 h on 21 June (type 3: to 14 h).</source>
+        <translation>Kein hinzukommender Schatten auf Parks von 10 bis 15 h am 21. Juni (Typ 3: bis 14 h).</translation>
+    </message>
+    <message>
+        <source>Share of the park with 8 consecutive hours of sun</source>
+        <translation>Anteil des Parks mit 8 zusammenhängenden Sonnenstunden</translation>
+    </message>
+    <message>
+        <source>equinox</source>
+        <translation>Tagundnachtgleiche</translation>
+    </message>
+    <message>
+        <source>Share with 8 h of sun</source>
+        <translation>Anteil mit 8 h Sonne</translation>
+    </message>
+    <message>
+        <source>The equinox is 21 March.</source>
+        <translation>Die Tagundnachtgleiche ist der 21. März.</translation>
+    </message>
+    <message>
+        <source>Half of a park is half of its area.</source>
+        <translation>Die Hälfte eines Parks ist die Hälfte seiner Fläche.</translation>
+    </message>
+    <message>
+        <source>On the equinox, 8 consecutive hours of sun within 8-18 h on at least half of a park.</source>
+        <translation>Zur Tagundnachtgleiche 8 zusammenhängende Sonnenstunden von 8 bis 18 h auf mindestens der Hälfte eines Parks.</translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation>Minuten</translation>
+    </message>
+    <message>
+        <source>150</source>
+        <translation>150</translation>
+    </message>
+    <message>
+        <source>90</source>
+        <translation>90</translation>
+    </message>
+    <message>
+        <source>Consecutive sun at the worst spot of the street</source>
+        <translation>Zusammenhängende Sonne an der schlechtesten Stelle der Straße</translation>
+    </message>
+    <message>
+        <source>Street</source>
+        <translation>Straße</translation>
+    </message>
+    <message>
+        <source>Least consecutive sun, min</source>
+        <translation>Wenigste zusammenhängende Sonne, min</translation>
+    </message>
+    <message>
+        <source>150 (90) consecutive minutes of sun; the figures at hand do not say where 90 holds</source>
+        <translation>150 (90) zusammenhängende Minuten Sonne; die vorliegenden Zahlen sagen nicht, wo 90 gilt</translation>
+    </message>
+    <message>
+        <source>Whether a street runs east-west: choose the places</source>
+        <translation>Ob eine Straße von Ost nach West verläuft: die Orte wählen</translation>
+    </message>
+    <message>
+        <source>Where 90 minutes hold instead of 150: choose the option</source>
+        <translation>Wo 90 Minuten statt 150 gelten: die Möglichkeit wählen</translation>
+    </message>
+    <message>
+        <source>Every spot of the street must have the sun: the figures at hand do not say which line or share of a street counts.</source>
+        <translation>Jede Stelle der Straße muss die Sonne haben: die vorliegenden Zahlen sagen nicht, welche Linie oder welcher Anteil einer Straße zählt.</translation>
+    </message>
+    <message>
+        <source>On the equinox, 150 consecutive minutes of sun within 12-15 h on east-west streets.</source>
+        <translation>Zur Tagundnachtgleiche 150 zusammenhängende Minuten Sonne von 12 bis 15 h auf Straßen in Ost-West-Richtung.</translation>
+    </message>
+    <message>
+        <source>where</source>
+        <translation>wo</translation>
+    </message>
+    <message>
+        <source>elsewhere, 3 h</source>
+        <translation>anderswo, 3 h</translation>
+    </message>
+    <message>
+        <source>metropolitan, 2 h</source>
+        <translation>Großstadtgebiet, 2 h</translation>
+    </message>
+    <message>
+        <source>Sun in the flat</source>
+        <translation>Sonne in der Wohnung</translation>
+    </message>
+    <message>
+        <source>Any sun in the flat</source>
+        <translation>Überhaupt Sonne in der Wohnung</translation>
+    </message>
+    <message>
+        <source>1 m² for at least 15 min counts</source>
+        <translation>1 m² für mindestens 15 min zählt</translation>
+    </message>
+    <message>
+        <source>That the sun is in living rooms and on balconies both</source>
+        <translation>Dass die Sonne sowohl in Wohnräumen als auch auf Balkonen ist</translation>
+    </message>
+    <message>
+        <source>That 1 m² is lit</source>
+        <translation>Dass 1 m² besonnt ist</translation>
+    </message>
+    <message>
+        <source>Plan diagrams</source>
+        <translation>Pläne</translation>
+    </message>
+    <message>
+        <source>Times of less than 15 min do not count.</source>
+        <translation>Zeiten von weniger als 15 min zählen nicht.</translation>
+    </message>
+    <message>
+        <source>A flat has the sun of all of its windows, where one of them has it: name the flats in the file of windows (field dwelling). Windows without one are flats of their own.</source>
+        <translation>Eine Wohnung hat die Sonne aller ihrer Fenster, sobald eines sie hat: nennen Sie die Wohnungen in der Datei der Fenster (Feld dwelling). Fenster ohne Angabe sind eigene Wohnungen.</translation>
+    </message>
+    <message>
+        <source>A building passes by its shares; each flat has its own verdict besides.</source>
+        <translation>Ein Gebäude erfüllt die Regel durch seine Anteile; jede Wohnung hat daneben ihren eigenen Befund.</translation>
+    </message>
+    <message>
+        <source>Flats with enough sun</source>
+        <translation>Wohnungen mit genug Sonne</translation>
+    </message>
+    <message>
+        <source>Flats with some sun</source>
+        <translation>Wohnungen mit etwas Sonne</translation>
+    </message>
+    <message>
+        <source>At least 70 % of the flats of a building have 2 h of sun from 9 to 15 h on 21 June in living rooms and on balconies (3 h outside the metropolis); at most 15 % have none.</source>
+        <translation>Mindestens 70 % der Wohnungen eines Gebäudes haben am 21. Juni von 9 bis 15 h 2 h Sonne in Wohnräumen und auf Balkonen (3 h außerhalb des Großstadtgebiets); höchstens 15 % haben keine.</translation>
+    </message>
+    <message>
+        <source>All sun gone, min</source>
+        <translation>Alle Sonne genommen, min</translation>
+    </message>
+    <message>
+        <source>One hour is an example, not a figure of any board.</source>
+        <translation>Eine Stunde ist ein Beispiel, keine Zahl irgendeiner Behörde.</translation>
+    </message>
+    <message>
+        <source>A start for a rule of your own: copy it, change it, and put it into your own folder of rules.</source>
+        <translation>Ein Anfang für eine eigene Regel: kopieren, ändern und in den eigenen Regelordner legen.</translation>
+    </message>
+    <message>
+        <source>use</source>
+        <translation>Nutzung</translation>
+    </message>
+    <message>
+        <source>homes</source>
+        <translation>Wohnungen</translation>
+    </message>
+    <message>
+        <source>homes in an inner city</source>
+        <translation>Wohnungen in einer Innenstadt</translation>
+    </message>
+    <message>
+        <source>schools</source>
+        <translation>Schulen</translation>
+    </message>
+    <message>
+        <source>That one room of a flat is enough: each room is evaluated by itself</source>
+        <translation>Dass ein Raum einer Wohnung genügt: jeder Raum wird für sich geprüft</translation>
+    </message>
+    <message>
+        <source>The sun may be broken up. Times through several openings of a room add up where they are not at the same moment: name the rooms in the file of windows (field room).</source>
+        <translation>Die Sonne darf unterbrochen sein. Zeiten durch mehrere Öffnungen eines Raums werden addiert, wo sie nicht zugleich sind: nennen Sie die Räume in der Datei der Fenster (Feld room).</translation>
+    </message>
+    <message>
+        <source>At least 3 h of sun on the days of the equinoxes: homes from 7 to 17 h, schools from 8 to 16 h; 1.5 h in inner cities.</source>
+        <translation>Mindestens 3 h Sonne an den Tagen der Tagundnachtgleichen: Wohnungen von 7 bis 17 h, Schulen von 8 bis 16 h; 1,5 h in Innenstädten.</translation>
+    </message>
+    <message>
+        <source>Share of the territory with 2 h of sun, or 2.5 h broken up</source>
+        <translation>Anteil der Fläche mit 2 h Sonne, oder 2,5 h mit Unterbrechungen</translation>
+    </message>
+    <message>
+        <source>Territory</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Share with the sun</source>
+        <translation>Anteil mit der Sonne</translation>
+    </message>
+    <message>
+        <source>Least sun, h:min</source>
+        <translation>Wenigste Sonne, h:min</translation>
+    </message>
+    <message>
+        <source>Intervals</source>
+        <translation>Abschnitte</translation>
+    </message>
+    <message>
+        <source>2 h unbroken (by zone and number of rooms)</source>
+        <translation>2 h ununterbrochen (nach Zone und Zahl der Räume)</translation>
+    </message>
+    <message>
+        <source>Broken up: 0.5 h more, one part of at least 1 h</source>
+        <translation>Mit Unterbrechungen: 0,5 h mehr, ein Teil von mindestens 1 h</translation>
+    </message>
+    <message>
+        <source>Output: h:min, number of intervals, share of territory</source>
+        <translation>Ausgabe: h:min, Zahl der Abschnitte, Anteil der Fläche</translation>
+    </message>
+    <message>
+        <source>Rooms and windows</source>
+        <translation>Räume und Fenster</translation>
+    </message>
+    <message>
+        <source>Other zones: change the days and hours in a rule of your own</source>
+        <translation>Andere Zonen: Tage und Stunden in einer eigenen Regel ändern</translation>
+    </message>
+    <message>
+        <source>Every break counts, also one of a single step of 5 min: the sun before and after it are two parts.</source>
+        <translation>Jede Unterbrechung zählt, auch eine von einem einzigen Schritt von 5 min: die Sonne davor und danach sind zwei Teile.</translation>
+    </message>
+    <message>
+        <source>Every day of the range is evaluated; the smallest share counts.</source>
+        <translation>Jeder Tag des Zeitraums wird geprüft; der kleinste Anteil zählt.</translation>
+    </message>
+    <message>
+        <source>The figures at hand state no share that a territory must reach, so there are figures and no verdict.</source>
+        <translation>Die vorliegenden Zahlen nennen keinen Anteil, den eine Fläche erreichen muss, daher gibt es Zahlen und keinen Befund.</translation>
+    </message>
+    <message>
+        <source>From 22 April to 22 August, the share of a territory with 2 h of unbroken sun, or 2.5 h broken up with one part of at least 1 h.</source>
+        <translation>Vom 22. April bis 22. August der Anteil einer Fläche mit 2 h ununterbrochener Sonne, oder 2,5 h mit Unterbrechungen und einem Teil von mindestens 1 h.</translation>
+    </message>
+    <message>
+        <source>2 h of unbroken sun, or 2.5 h broken up</source>
+        <translation>2 h ununterbrochene Sonne, oder 2,5 h mit Unterbrechungen</translation>
+    </message>
+    <message>
+        <source>Output: h:min and number of intervals</source>
+        <translation>Ausgabe: h:min und Zahl der Abschnitte</translation>
+    </message>
+    <message>
+        <source>How many rooms of a flat must have it</source>
+        <translation>Wie viele Räume einer Wohnung sie haben müssen</translation>
+    </message>
+    <message>
+        <source>Other zones: change the days in a copy of the rule</source>
+        <translation>Andere Zonen: die Tage in einer Kopie der Regel ändern</translation>
+    </message>
+    <message>
+        <source>From 22 April to 22 August at least 2 h of unbroken sun, or 2.5 h broken up with one part of at least 1 h.</source>
+        <translation>Vom 22. April bis 22. August mindestens 2 h ununterbrochene Sonne, oder 2,5 h mit Unterbrechungen und einem Teil von mindestens 1 h.</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>Tage</translation>
+    </message>
+    <message>
+        <source>every day</source>
+        <translation>jeder Tag</translation>
+    </message>
+    <message>
+        <source>mirrored half year</source>
+        <translation>gespiegeltes Halbjahr</translation>
+    </message>
+    <message>
+        <source>Net new shadow of the year</source>
+        <translation>Netto neuer Schatten des Jahres</translation>
+    </message>
+    <message>
+        <source>Existing shadow, sq ft h</source>
+        <translation>Vorhandener Schatten, sq ft h</translation>
+    </message>
+    <message>
+        <source>Shadow with project, sq ft h</source>
+        <translation>Schatten mit Projekt, sq ft h</translation>
+    </message>
+    <message>
+        <source>Net new shadow, sq ft h</source>
+        <translation>Netto neuer Schatten, sq ft h</translation>
+    </message>
+    <message>
+        <source>Share of the theoretical sum</source>
+        <translation>Anteil an der theoretischen Summe</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Largest area, sq ft</source>
+        <translation>Größte Fläche, sq ft</translation>
+    </message>
+    <message>
+        <source>Trigger: buildings of more than 40 ft</source>
+        <translation>Auslöser: Gebäude von mehr als 40 ft</translation>
+    </message>
+    <message>
+        <source>Hours: from 1 h after sunrise to 1 h before sunset, every day of the year</source>
+        <translation>Stunden: von 1 h nach Sonnenaufgang bis 1 h vor Sonnenuntergang, an jedem Tag des Jahres</translation>
+    </message>
+    <message>
+        <source>Theoretical annual available sunlight: area x 3,721.4 h</source>
+        <translation>Theoretisch verfügbares Sonnenlicht im Jahr: Fläche x 3.721,4 h</translation>
+    </message>
+    <message>
+        <source>Own count of the same hours: 3,720.9</source>
+        <translation>Eigene Zählung derselben Stunden: 3.720,9</translation>
+    </message>
+    <message>
+        <source>Samples of 15 min, mirrored half year</source>
+        <translation>Stichproben alle 15 min, gespiegeltes Halbjahr</translation>
+    </message>
+    <message>
+        <source>Absolute limits of single parks and qualitative criteria</source>
+        <translation>Absolute Grenzen einzelner Parks und qualitative Kriterien</translation>
+    </message>
+    <message>
+        <source>Cumulative projects: run the rule again with a scenario that holds them</source>
+        <translation>Mehrere Vorhaben zusammen: die Regel mit einem Szenario, das sie enthält, noch einmal prüfen</translation>
+    </message>
+    <message>
+        <source>Opening hours of the park</source>
+        <translation>Öffnungszeiten des Parks</translation>
+    </message>
+    <message>
+        <source>The trigger (height of the proposal)</source>
+        <translation>Der Auslöser (Höhe des Entwurfs)</translation>
+    </message>
+    <message>
+        <source>The figures at hand state no numeric limit, so there are figures and no verdict.</source>
+        <translation>Die vorliegenden Zahlen nennen keine Grenze in Zahlen, daher gibt es Zahlen und keinen Befund.</translation>
+    </message>
+    <message>
+        <source>Shadow on a park over a whole year in square-foot-hours, as a share of the theoretical annual available sunlight.</source>
+        <translation>Schatten auf einem Park über ein ganzes Jahr in Quadratfuß-Stunden, als Anteil am theoretisch verfügbaren Sonnenlicht des Jahres.</translation>
+    </message>
+    <message>
+        <source>Possible sun</source>
+        <translation>Mögliche Sonne</translation>
+    </message>
+    <message>
+        <source>What the rule allows where the norm is missed already</source>
+        <translation>Was die Regel erlaubt, wo die Norm schon verfehlt ist</translation>
+    </message>
+    <message>
+        <source>The days and hours are those of the light norm of TNO; the point is on the facade, 0.75 m above the floor.</source>
+        <translation>Tage und Stunden sind die der leichten Norm von TNO; der Punkt liegt auf der Fassade, 0,75 m über dem Fußboden.</translation>
+    </message>
+    <message>
+        <source>The sun may be broken up; the worst day decides.</source>
+        <translation>Die Sonne darf unterbrochen sein; der schlechteste Tag entscheidet.</translation>
+    </message>
+    <message>
+        <source>At least 2 h of possible sun on every day from 19 February to 21 October on the facade, with the sun above 10 degrees.</source>
+        <translation>Mindestens 2 h mögliche Sonne an jedem Tag vom 19. Februar bis 21. Oktober auf der Fassade, mit der Sonne über 10 Grad.</translation>
+    </message>
+    <message>
+        <source>The middle of the sill, inside the glass, usually 0.75 m above the floor</source>
+        <translation>Die Mitte der Brüstung, innen an der Scheibe, meist 0,75 m über dem Fußboden</translation>
+    </message>
+    <message>
+        <source>Which facade is that of the living room</source>
+        <translation>Welche Fassade die des Wohnzimmers ist</translation>
+    </message>
+    <message>
+        <source>The glass is taken 0.1 m behind the face of the wall (opening.wall_m), and the edges of that opening hide the sun.</source>
+        <translation>Das Glas liegt 0,1 m hinter der Wandfläche (opening.wall_m), und die Ränder dieser Öffnung verdecken die Sonne.</translation>
+    </message>
+    <message>
+        <source>At least 2 h of possible sun on every day from 19 February to 21 October, in the middle of the sill.</source>
+        <translation>Mindestens 2 h mögliche Sonne an jedem Tag vom 19. Februar bis 21. Oktober, in der Mitte der Brüstung.</translation>
+    </message>
+    <message>
+        <source>At least 3 h of possible sun on every day from 21 January to 22 November, in the middle of the sill.</source>
+        <translation>Mindestens 3 h mögliche Sonne an jedem Tag vom 21. Januar bis 22. November, in der Mitte der Brüstung.</translation>
+    </message>
+    <message>
+        <source>Hourly from 9:18 to 18:18 (local mean noon)</source>
+        <translation>Stündlich von 9:18 bis 18:18 (mittlerer örtlicher Mittag)</translation>
+    </message>
+    <message>
+        <source>Diagrams on 21 March, June and September</source>
+        <translation>Pläne am 21. März, Juni und September</translation>
+    </message>
+    <message>
+        <source>Diagrams on 21 December</source>
+        <translation>Pläne am 21. Dezember</translation>
+    </message>
+    <message>
+        <source>On 21 December the hours are those of the wall clock too.</source>
+        <translation>Auch am 21. Dezember sind die Stunden die der Uhr.</translation>
+    </message>
+    <message>
+        <source>Hourly diagrams from 9:18 to 18:18 on 21 March, June and September.</source>
+        <translation>Stündliche Pläne von 9:18 bis 18:18 am 21. März, Juni und September.</translation>
+    </message>
+    <message>
+        <source>The figures at hand state no limit, so there are figures and no verdict.</source>
+        <translation>Die vorliegenden Zahlen nennen keine Grenze, daher gibt es Zahlen und keinen Befund.</translation>
+    </message>
+    <message>
+        <source>The equinoxes are 21 March and 21 September.</source>
+        <translation>Die Tagundnachtgleichen sind der 21. März und der 21. September.</translation>
+    </message>
+    <message>
+        <source>Shadow on parks and schoolyards within 10-16 h daylight time, from the spring to the autumn equinox.</source>
+        <translation>Schatten auf Parks und Schulhöfen von 10 bis 16 h Sommerzeit, von der Frühlings- bis zur Herbst-Tagundnachtgleiche.</translation>
+    </message>
+    <message>
+        <source>Area with more than 3 h of shadow, and more than by the body within the zoning</source>
+        <translation>Fläche mit mehr als 3 h Schatten und mehr als durch den Körper nach Bauordnung</translation>
+    </message>
+    <message>
+        <source>Shadow at the worst spot</source>
+        <translation>Schatten an der schlechtesten Stelle</translation>
+    </message>
+    <message>
+        <source>mean winter day</source>
+        <translation>mittlerer Wintertag</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Wohnung</translation>
+    </message>
+    <message>
+        <source>Area with more than 3 h and more than before, m²</source>
+        <translation>Fläche mit mehr als 3 h und mehr als vorher, m²</translation>
+    </message>
+    <message>
+        <source>Shadow at the worst spot, min</source>
+        <translation>Schatten an der schlechtesten Stelle, min</translation>
+    </message>
+    <message>
+        <source>Trigger: buildings of more than 25 m</source>
+        <translation>Auslöser: Gebäude von mehr als 25 m</translation>
+    </message>
+    <message>
+        <source>Passes where a body within the zoning shades as much</source>
+        <translation>Gilt, wo ein Körper nach Bauordnung ebenso viel Schatten wirft</translation>
+    </message>
+    <message>
+        <source>Facades of the homes: their ground is measured</source>
+        <translation>Fassaden der Wohnungen: gemessen wird der Boden davor</translation>
+    </message>
+    <message>
+        <source>Whether the scenario &apos;from&apos; is a body within the zoning</source>
+        <translation>Ob das Szenario &apos;from&apos; ein Körper nach Bauordnung ist</translation>
+    </message>
+    <message>
+        <source>The scenario &apos;from&apos; holds the body within the zoning, or nothing on the site.</source>
+        <translation>Das Szenario &apos;from&apos; enthält den Körper nach Bauordnung, oder nichts auf dem Grundstück.</translation>
+    </message>
+    <message>
+        <source>Shadow is counted minute by minute from 8 to 17 h; the diagrams show it by the hour.</source>
+        <translation>Schatten wird von 8 bis 17 h Minute für Minute gezählt; die Pläne zeigen ihn stündlich.</translation>
+    </message>
+    <message>
+        <source>Each spot is compared with itself: it may have more than 3 h of shadow where the body within the zoning gives it as much. A spot within a minute of 3 h, for each time that shadow comes, is borderline.</source>
+        <translation>Jede Stelle wird mit sich selbst verglichen: sie darf mehr als 3 h Schatten haben, wo ihr der Körper nach Bauordnung ebenso viel gibt. Eine Stelle, die je Eintritt des Schattens innerhalb einer Minute an 3 h liegt, ist grenzwertig.</translation>
+    </message>
+    <message>
+        <source>The shadow that the hill casts without any building is not the tower&apos;s: it is not counted.</source>
+        <translation>Schatten, den der Hügel ohne jedes Gebäude wirft, ist nicht der des Turms: er zählt nicht.</translation>
+    </message>
+    <message>
+        <source>Buildings of more than 25 m: at most 3 h of shadow on neighbours&apos; homes on 3 November and 8 February, or no more than a body within the zoning.</source>
+        <translation>Gebäude von mehr als 25 m: höchstens 3 h Schatten auf Wohnungen der Nachbarn am 3. November und 8. Februar, oder nicht mehr als ein Körper nach Bauordnung.</translation>
     </message>
 </context>
 <context>
@@ -5777,6 +6937,1674 @@ Opens the panel Review.</source>
         <source>Any country</source>
         <translation>Jedes Land</translation>
     </message>
+    <message>
+        <source>Source of height</source>
+        <translation>Herkunft der Höhe</translation>
+    </message>
+    <message>
+        <source>of the highest part of each building; counts are of the whole city</source>
+        <translation>des höchsten Teils jedes Gebäudes; die Anzahlen gelten für die ganze Stadt</translation>
+    </message>
+    <message>
+        <source>Where the heights come from</source>
+        <translation>Woher die Höhen kommen</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Definitions</source>
+        <translation>Definitionen</translation>
+    </message>
+    <message>
+        <source>Method and sources</source>
+        <translation>Verfahren und Quellen</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>Scenarios side by side</source>
+        <translation>Szenarien nebeneinander</translation>
+    </message>
+    <message>
+        <source>%1 on one scale.</source>
+        <translation>%1 auf einer Skala.</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Gebäude</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2.</source>
+        <translation>Die ersten %1 von %2.</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> min am Tag</translation>
+    </message>
+    <message>
+        <source>Contributions</source>
+        <translation>Beiträge</translation>
+    </message>
+    <message>
+        <source>Sole contribution of each new building: against the scenario without it</source>
+        <translation>Alleiniger Beitrag jedes neuen Gebäudes: gegenüber dem Szenario ohne es</translation>
+    </message>
+    <message>
+        <source>Months</source>
+        <translation>Monate</translation>
+    </message>
+    <message>
+        <source> by month</source>
+        <translation> nach Monaten</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Gewichte</translation>
+    </message>
+    <message>
+        <source>shadow of the proposal alone</source>
+        <translation>Schatten des Entwurfs allein</translation>
+    </message>
+    <message>
+        <source>hours of shadow</source>
+        <translation>Stunden Schatten</translation>
+    </message>
+    <message>
+        <source>limit of the rule</source>
+        <translation>Grenze der Regel</translation>
+    </message>
+    <message>
+        <source>distance from the parcel</source>
+        <translation>Abstand vom Grundstück</translation>
+    </message>
+    <message>
+        <source>existing shadow</source>
+        <translation>vorhandener Schatten</translation>
+    </message>
+    <message>
+        <source>incremental shadow</source>
+        <translation>zusätzlicher Schatten</translation>
+    </message>
+    <message>
+        <source>sun gained</source>
+        <translation>gewonnene Sonne</translation>
+    </message>
+    <message>
+        <source>proposal</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>building</source>
+        <translation>Gebäude</translation>
+    </message>
+    <message>
+        <source>open below</source>
+        <translation>unten offen</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Heights in %1 above the ground.</source>
+        <translation>Höhen in %1 über dem Boden.</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>ft</translation>
+    </message>
+    <message>
+        <source> Numbers in a white field name the places above.</source>
+        <translation> Zahlen in weißem Feld bezeichnen die Orte oben.</translation>
+    </message>
+    <message>
+        <source> White lines: streets of the project.</source>
+        <translation> Weiße Linien: Straßen des Projekts.</translation>
+    </message>
+    <message>
+        <source> Pale colours: streets, water and parks of the map.</source>
+        <translation> Blasse Farben: Straßen, Wasser und Parks der Karte.</translation>
+    </message>
+    <message>
+        <source>on %1</source>
+        <translation>auf %1</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>nicht erfüllt</translation>
+    </message>
+    <message>
+        <source>verdict gets worse</source>
+        <translation>Befund wird schlechter</translation>
+    </message>
+    <message>
+        <source>verdict gets better</source>
+        <translation>Befund wird besser</translation>
+    </message>
+    <message>
+        <source>north</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>north-east</source>
+        <translation>Nordost</translation>
+    </message>
+    <message>
+        <source>east</source>
+        <translation>Ost</translation>
+    </message>
+    <message>
+        <source>south-east</source>
+        <translation>Südost</translation>
+    </message>
+    <message>
+        <source>south</source>
+        <translation>Süd</translation>
+    </message>
+    <message>
+        <source>south-west</source>
+        <translation>Südwest</translation>
+    </message>
+    <message>
+        <source>west</source>
+        <translation>West</translation>
+    </message>
+    <message>
+        <source>north-west</source>
+        <translation>Nordwest</translation>
+    </message>
+    <message>
+        <source>Floors of %1 m</source>
+        <translation>Geschosse von %1 m</translation>
+    </message>
+    <message>
+        <source>, of designed towers as designed</source>
+        <translation>, von entworfenen Türmen wie entworfen</translation>
+    </message>
+    <message>
+        <source>continued</source>
+        <translation>Fortsetzung</translation>
+    </message>
+    <message>
+        <source>Language of sheets</source>
+        <translation>Sprache der Blätter</translation>
+    </message>
+    <message>
+        <source>Language of the texts, numbers and dates of sheets: en, de, es or ja (default: that of the window, English on the command line). Files for programs are the same in every language</source>
+        <translation>Sprache der Texte, Zahlen und Daten der Blätter: en, de, es oder ja (Vorgabe: die des Fensters, auf der Befehlszeile Englisch). Dateien für Programme sind in jeder Sprache gleich</translation>
+    </message>
+    <message>
+        <source>Timelines of places</source>
+        <translation>Zeitverläufe der Orte</translation>
+    </message>
+    <message>
+        <source>Shadows are on a horizontal plane %1 m above the mean ground. </source>
+        <translation>Die Schatten liegen auf einer waagerechten Ebene %1 m über dem mittleren Boden. </translation>
+    </message>
+    <message>
+        <source>place: </source>
+        <translation>Ort: </translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>Times: %1.</source>
+        <translation>Zeiten: %1.</translation>
+    </message>
+    <message>
+        <source> Edges of shadows follow cells of %1 m, because the ground is not level.</source>
+        <translation> Die Ränder der Schatten folgen Zellen von %1 m, weil der Boden nicht eben ist.</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2. %3North is up.</source>
+        <translation>%1 verglichen mit %2. %3Norden ist oben.</translation>
+    </message>
+    <message>
+        <source>Shadow diagrams</source>
+        <translation>Schattenpläne</translation>
+    </message>
+    <message>
+        <source>Shadow fans</source>
+        <translation>Schattenfächer</translation>
+    </message>
+    <message>
+        <source>All shadows of a day that the proposal would cast if it stood alone, %1. %2North is up.</source>
+        <translation>Alle Schatten eines Tages, die der Entwurf würfe, wenn er allein stünde, %1. %2Norden ist oben.</translation>
+    </message>
+    <message>
+        <source>, %1 to %2</source>
+        <translation>, %1 bis %2</translation>
+    </message>
+    <message>
+        <source>1:%1. Existing buildings do not hide these shadows</source>
+        <translation>1:%1. Vorhandene Gebäude verdecken diese Schatten nicht</translation>
+    </message>
+    <message>
+        <source>Lines of equal hours of shadow</source>
+        <translation>Linien gleicher Schattenstunden</translation>
+    </message>
+    <message>
+        <source>%1. Thick: limits of the rule. Dashed: distances from the parcel. North is up.</source>
+        <translation>%1. Dick: Grenzen der Regel. Gestrichelt: Abstände vom Grundstück. Norden ist oben.</translation>
+    </message>
+    <message>
+        <source>Views from the sun</source>
+        <translation>Ansichten von der Sonne aus</translation>
+    </message>
+    <message>
+        <source>%1, without perspective, as the sun sees it: what is visible is sunlit, what is hidden is in shadow. The proposal is violet, places are green.</source>
+        <translation>%1, ohne Perspektive, wie die Sonne es sieht: was sichtbar ist, ist besonnt, was verdeckt ist, liegt im Schatten. Der Entwurf ist violett, Orte sind grün.</translation>
+    </message>
+    <message>
+        <source>%1 pass, %2 borderline, %3 fail, %4 not applicable</source>
+        <translation>%1 erfüllt, %2 grenzwertig, %3 nicht erfüllt, %4 nicht anwendbar</translation>
+    </message>
+    <message>
+        <source>%1 before: %2.</source>
+        <translation>%1 vorher: %2.</translation>
+    </message>
+    <message>
+        <source>%1 after: %2.</source>
+        <translation>%1 nachher: %2.</translation>
+    </message>
+    <message>
+        <source>%1 whose verdict gets worse: %2; better: %3.</source>
+        <translation>%1, deren Befund schlechter wird: %2; besser: %3.</translation>
+    </message>
+    <message>
+        <source>Summary</source>
+        <translation>Zusammenfassung</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Buildings</source>
+        <translation>Gebäude</translation>
+    </message>
+    <message>
+        <source>Proposal: %1. Baseline: %2.</source>
+        <translation>Entwurf: %1. Ausgangslage: %2.</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Fail before</source>
+        <translation>Nicht erfüllt vorher</translation>
+    </message>
+    <message>
+        <source>Fail after</source>
+        <translation>Nicht erfüllt nachher</translation>
+    </message>
+    <message>
+        <source>Worse</source>
+        <translation>Schlechter</translation>
+    </message>
+    <message>
+        <source>Verdict before</source>
+        <translation>Befund vorher</translation>
+    </message>
+    <message>
+        <source>Verdict after</source>
+        <translation>Befund nachher</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Geschoss</translation>
+    </message>
+    <message>
+        <source>Faces, deg</source>
+        <translation>Richtung, Grad</translation>
+    </message>
+    <message>
+        <source>%1, before</source>
+        <translation>%1, vorher</translation>
+    </message>
+    <message>
+        <source>%1, after</source>
+        <translation>%1, nachher</translation>
+    </message>
+    <message>
+        <source>Sun before</source>
+        <translation>Sonne vorher</translation>
+    </message>
+    <message>
+        <source>Sun after</source>
+        <translation>Sonne nachher</translation>
+    </message>
+    <message>
+        <source>%1, clock: %2. Minutes, or percent where stated</source>
+        <translation>%1, Uhrzeit: %2. Minuten, oder Prozent, wo angegeben</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Engine: %1. Clock: %2, year %3; %4 steps of %5 min with the sun in the rule&apos;s hours.</source>
+        <translation>Verfahren: %1. Uhrzeit: %2, Jahr %3; %4 Schritte von %5 min mit der Sonne in den Stunden der Regel.</translation>
+    </message>
+    <message>
+        <source>Each run of minutes is uncertain by a step, a sky component by %1 %. A value within its error of a limit is borderline, never pass.</source>
+        <translation>Jede Dauer ist um einen Schritt unsicher, ein Himmelslichtanteil um %1 %. Ein Wert, der innerhalb seines Fehlers an einer Grenze liegt, ist grenzwertig, nie erfüllt.</translation>
+    </message>
+    <message>
+        <source>The rule, as it was read</source>
+        <translation>Die Regel, wie sie gelesen wurde</translation>
+    </message>
+    <message>
+        <source>Review of windows: </source>
+        <translation>Prüfung der Fenster: </translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tabellen</translation>
+    </message>
+    <message>
+        <source>Windows at no building</source>
+        <translation>Fenster an keinem Gebäude</translation>
+    </message>
+    <message>
+        <source>The building is new or changed</source>
+        <translation>Das Gebäude ist neu oder geändert</translation>
+    </message>
+    <message>
+        <source>No former values</source>
+        <translation>Keine früheren Werte</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>, scale locked</source>
+        <translation>, Skala fest</translation>
+    </message>
+    <message>
+        <source>Elevations: </source>
+        <translation>Ansichten: </translation>
+    </message>
+    <message>
+        <source>%1 and %2. %3. Colours beyond the ends of a scale are those of its ends.</source>
+        <translation>%1 und %2. %3. Farben jenseits der Enden einer Skala sind die ihrer Enden.</translation>
+    </message>
+    <message>
+        <source>Grey: no value. Seen square to the wall, from outside.</source>
+        <translation>Grau: kein Wert. Senkrecht auf die Wand gesehen, von außen.</translation>
+    </message>
+    <message>
+        <source>Sun: azimuth %1°, altitude %2°</source>
+        <translation>Sonne: Azimut %1°, Höhe %2°</translation>
+    </message>
+    <message>
+        <source>Without perspective, as the sun sees it: what is visible is sunlit, what is hidden is in shadow. New and changed buildings are violet. Clock: %1.</source>
+        <translation>Ohne Perspektive, wie die Sonne es sieht: was sichtbar ist, ist besonnt, was verdeckt ist, liegt im Schatten. Neue und geänderte Gebäude sind violett. Uhrzeit: %1.</translation>
+    </message>
+    <message>
+        <source>on a plane %1 m above the mean ground</source>
+        <translation>auf einer Ebene %1 m über dem mittleren Boden</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>auf dem Boden</translation>
+    </message>
+    <message>
+        <source>Hours of shadow in the rule&apos;s hours, %1, on cells of %2 m</source>
+        <translation>Schattenstunden in den Stunden der Regel, %1, auf Zellen von %2 m</translation>
+    </message>
+    <message>
+        <source>Shadow review: </source>
+        <translation>Schattenprüfung: </translation>
+    </message>
+    <message>
+        <source>Engine: %1. Receivers: centres of the square cells of %2 m that the places touch, each weighed by its share of the place, not under a building of baseline or proposal.</source>
+        <translation>Verfahren: %1. Messpunkte: Mitten der quadratischen Zellen von %2 m, welche die Orte berühren, jede mit ihrem Anteil am Ort gewichtet, nicht unter einem Gebäude der Ausgangslage oder des Entwurfs.</translation>
+    </message>
+    <message>
+        <source>Time: %1, %2 of %3 min with the sun in the rule&apos;s hours. Clock: %4.</source>
+        <translation>Zeit: %1, %2 von %3 min mit der Sonne in den Stunden der Regel. Uhrzeit: %4.</translation>
+    </message>
+    <message>
+        <source>Sun: ERFA, topocentric, seen from %1; apparent altitude, with refraction.</source>
+        <translation>Sonne: ERFA, topozentrisch, von %1 aus gesehen; scheinbare Höhe, mit Refraktion.</translation>
+    </message>
+    <message>
+        <source>Frame: metres to the east and true north of %1 (WGS84).</source>
+        <translation>Koordinaten: Meter nach Osten und geografisch Norden von %1 (WGS84).</translation>
+    </message>
+    <message>
+        <source>Incremental shadow lies on what is sunlit in the baseline; sun gained is the reverse.</source>
+        <translation>Zusätzlicher Schatten liegt auf dem, was in der Ausgangslage besonnt ist; gewonnene Sonne ist das Umgekehrte.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>The outlines in diagrams are exact unions of projected buildings where the ground is level; the figures come from the cells.</source>
+        <translation>Die Umrisse in den Plänen sind genaue Vereinigungen projizierter Gebäude, wo der Boden eben ist; die Zahlen kommen aus den Zellen.</translation>
+    </message>
+    <message>
+        <source>Not modelled</source>
+        <translation>Nicht modelliert</translation>
+    </message>
+    <message>
+        <source>Small structures and penumbra; the sun is a point at the centre of its disc.</source>
+        <translation>Kleine Bauteile und Halbschatten; die Sonne ist ein Punkt in der Mitte ihrer Scheibe.</translation>
+    </message>
+    <message>
+        <source>. Diagrams show the shadows of buildings and terrain.</source>
+        <translation>. Die Pläne zeigen die Schatten von Gebäuden und Gelände.</translation>
+    </message>
+    <message>
+        <source> without a name</source>
+        <translation> ohne Namen</translation>
+    </message>
+    <message>
+        <source>   ... further numbers: see the summary</source>
+        <translation>   ... weitere Nummern: siehe Zusammenfassung</translation>
+    </message>
+    <message>
+        <source>Of %1 places %2 are listed one by one; the numbers are those of the diagrams. Places of less than %3 without a name are listed together. Timelines are of places that fail or are borderline. review.csv has all places; the option --all-pages prints them.</source>
+        <translation>Von %1 Orten sind %2 einzeln aufgeführt; die Nummern sind die der Pläne. Orte von weniger als %3 ohne Namen sind zusammengefasst. Zeitverläufe zeigen Orte, die nicht erfüllt oder grenzwertig sind. review.csv enthält alle Orte; die Option --all-pages druckt sie.</translation>
+    </message>
+    <message>
+        <source>Clock: %1, year %2. Engine: %3, every %4 min, cells of %5 m. %6.</source>
+        <translation>Uhrzeit: %1, Jahr %2. Verfahren: %3, alle %4 min, Zellen von %5 m. %6.</translation>
+    </message>
+    <message>
+        <source>Figures only: the sun is not up at the rule&apos;s times, so no diagram is drawn.</source>
+        <translation>Nur Zahlen: zu den Zeiten der Regel steht die Sonne nicht am Himmel, daher ist kein Plan gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Places without new shadow</source>
+        <translation>Orte ohne neuen Schatten</translation>
+    </message>
+    <message>
+        <source>%1 further places with names</source>
+        <translation>%1 weitere Orte mit Namen</translation>
+    </message>
+    <message>
+        <source>%1 without a name</source>
+        <translation>%1 ohne Namen</translation>
+    </message>
+    <message>
+        <source>Nothing is stated as unchecked.</source>
+        <translation>Nichts ist als ungeprüft angegeben.</translation>
+    </message>
+    <message>
+        <source>Sums over the days of the rule</source>
+        <translation>Summen über die Tage der Regel</translation>
+    </message>
+    <message>
+        <source>%1: existing shadow %2 of the theoretical sun; incremental %3; most on %4.</source>
+        <translation>%1: vorhandener Schatten %2 der theoretischen Sonne; zusätzlich %3; am meisten am %4.</translation>
+    </message>
+    <message>
+        <source>no day</source>
+        <translation>keinem Tag</translation>
+    </message>
+    <message>
+        <source>the most incremental shadow on %1 (%2) at one moment</source>
+        <translation>der meiste zusätzliche Schatten auf %1 (%2) in einem Augenblick</translation>
+    </message>
+    <message>
+        <source>Numbers in a white field: places of the table.</source>
+        <translation>Zahlen in weißem Feld: Orte der Tabelle.</translation>
+    </message>
+    <message>
+        <source>Verdicts</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Verdicts, continued</source>
+        <translation>Befunde, Fortsetzung</translation>
+    </message>
+    <message>
+        <source>Rule used in: %1. Site: %2.</source>
+        <translation>Regel verwendet in: %1. Ort: %2.</translation>
+    </message>
+    <message>
+        <source>. %1 days without incremental shadow are in review.csv only</source>
+        <translation>. %1 Tage ohne zusätzlichen Schatten stehen nur in review.csv</translation>
+    </message>
+    <message>
+        <source>. Of each month the day of most incremental shadow; %1 further days are in review.csv, and here with the option --all-pages</source>
+        <translation>. Von jedem Monat der Tag mit dem meisten zusätzlichen Schatten; %1 weitere Tage stehen in review.csv, und hier mit der Option --all-pages</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places; review.csv has all</source>
+        <translation>%1 von %2 Orten; review.csv enthält alle</translation>
+    </message>
+    <message>
+        <source>Table of the rule</source>
+        <translation>Tabelle der Regel</translation>
+    </message>
+    <message>
+        <source>%1, clock: %2%3</source>
+        <translation>%1, Uhrzeit: %2%3</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Former</source>
+        <translation>Früher</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Deciding day</source>
+        <translation>Entscheidender Tag</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source> (does not decide)</source>
+        <translation> (entscheidet nicht)</translation>
+    </message>
+    <message>
+        <source>Former: the same in the baseline, where a limit compares with it</source>
+        <translation>Früher: dasselbe in der Ausgangslage, wo eine Grenze damit vergleicht</translation>
+    </message>
+    <message>
+        <source>Criteria: the figures behind the verdicts</source>
+        <translation>Kriterien: die Zahlen hinter den Befunden</translation>
+    </message>
+    <message>
+        <source>Theoretical sun</source>
+        <translation>Theoretische Sonne</translation>
+    </message>
+    <message>
+        <source>Existing shadow</source>
+        <translation>Vorhandener Schatten</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>With proposal</source>
+        <translation>Mit Entwurf</translation>
+    </message>
+    <message>
+        <source>Days with incremental shadow</source>
+        <translation>Tage mit zusätzlichem Schatten</translation>
+    </message>
+    <message>
+        <source>Day of most</source>
+        <translation>Tag des meisten</translation>
+    </message>
+    <message>
+        <source>Duration on it</source>
+        <translation>Dauer an diesem</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Sums</source>
+        <translation>Summen</translation>
+    </message>
+    <message>
+        <source>Over the days of the rule; shares of the theoretical sun</source>
+        <translation>Über die Tage der Regel; Anteile an der theoretischen Sonne</translation>
+    </message>
+    <message>
+        <source>Days with shadow</source>
+        <translation>Tage mit Schatten</translation>
+    </message>
+    <message>
+        <source>Enters at the earliest</source>
+        <translation>Tritt frühestens ein</translation>
+    </message>
+    <message>
+        <source>Exits at the latest</source>
+        <translation>Verlässt spätestens</translation>
+    </message>
+    <message>
+        <source>Longest on a day</source>
+        <translation>Am längsten an einem Tag</translation>
+    </message>
+    <message>
+        <source>Largest area</source>
+        <translation>Größte Fläche</translation>
+    </message>
+    <message>
+        <source>Incremental shadow by season</source>
+        <translation>Zusätzlicher Schatten nach Jahreszeit</translation>
+    </message>
+    <message>
+        <source>Seasons without incremental shadow are left out. Clock: %1</source>
+        <translation>Jahreszeiten ohne zusätzlichen Schatten fehlen. Uhrzeit: %1</translation>
+    </message>
+    <message>
+        <source>New building</source>
+        <translation>Neues Gebäude</translation>
+    </message>
+    <message>
+        <source>share of the theoretical sun</source>
+        <translation>Anteil an der theoretischen Sonne</translation>
+    </message>
+    <message>
+        <source>of the proposal&apos;s shadow</source>
+        <translation>am Schatten des Entwurfs</translation>
+    </message>
+    <message>
+        <source>Sole contributions of the new buildings</source>
+        <translation>Alleinige Beiträge der neuen Gebäude</translation>
+    </message>
+    <message>
+        <source>What each casts where the baseline and all others of the proposal leave the sun, over the days of the rule; shadow that two of them share is in neither row</source>
+        <translation>Was jedes wirft, wo die Ausgangslage und alle anderen des Entwurfs die Sonne lassen, über die Tage der Regel; Schatten, den zwei gemeinsam werfen, steht in keiner Zeile</translation>
+    </message>
+    <message>
+        <source>Points at no building</source>
+        <translation>Punkte an keinem Gebäude</translation>
+    </message>
+    <message>
+        <source>Elevations</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>, mean over the days</source>
+        <translation>, Mittel über die Tage</translation>
+    </message>
+    <message>
+        <source>Seen square to the wall, from outside.</source>
+        <translation>Senkrecht auf die Wand gesehen, von außen.</translation>
+    </message>
+    <message>
+        <source>Points on %1. %2.</source>
+        <translation>Punkte auf %1. %2.</translation>
+    </message>
+    <message>
+        <source>Rays at every step of the sun.</source>
+        <translation>Strahlen zu jedem Sonnenstand.</translation>
+    </message>
+    <message>
+        <source>Horizons of the points, in bins of a quarter of a degree.</source>
+        <translation>Horizonte der Punkte, in Abschnitten von einem Viertelgrad.</translation>
+    </message>
+    <message>
+        <source>Chosen since %1.</source>
+        <translation>Gewählt, weil %1.</translation>
+    </message>
+    <message>
+        <source>Error against rays: %1.</source>
+        <translation>Fehler gegen Strahlen: %1.</translation>
+    </message>
+    <message>
+        <source>Hours of sun on %1</source>
+        <translation>Sonnenstunden auf %1</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Quellen</translation>
+    </message>
+    <message>
+        <source>building %1</source>
+        <translation>Gebäude %1</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Gelände</translation>
+    </message>
+    <message>
+        <source>Contributions of buildings</source>
+        <translation>Beiträge der Gebäude</translation>
+    </message>
+    <message>
+        <source>%1 and the buildings that make most of the shadow</source>
+        <translation>%1 und die Gebäude, die den meisten Schatten werfen</translation>
+    </message>
+    <message>
+        <source>Numbers as in the table; buildings outside of the map are not shown</source>
+        <translation>Zahlen wie in der Tabelle; Gebäude außerhalb der Karte sind nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>Largest contributions</source>
+        <translation>Größte Beiträge</translation>
+    </message>
+    <message>
+        <source>Area x hours in shadow, by building</source>
+        <translation>Fläche x Stunden im Schatten, nach Gebäude</translation>
+    </message>
+    <message>
+        <source>Numbers as in the table</source>
+        <translation>Zahlen wie in der Tabelle</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Share of all shadow</source>
+        <translation>Anteil an allem Schatten</translation>
+    </message>
+    <message>
+        <source>Other buildings: %1</source>
+        <translation>Andere Gebäude: %1</translation>
+    </message>
+    <message>
+        <source>All shadow</source>
+        <translation>Aller Schatten</translation>
+    </message>
+    <message>
+        <source>Attributed: %1. Sole: %2. Area x hours over the whole period. Engine: %3. Rows below 0.1 % are added up; contributions.csv lists each.</source>
+        <translation>Zugerechnet: %1. Alleinig: %2. Fläche x Stunden über den ganzen Zeitraum. Verfahren: %3. Zeilen unter 0,1 % sind zusammengefasst; contributions.csv nennt jede.</translation>
+    </message>
+    <message>
+        <source>By building</source>
+        <translation>Nach Gebäude</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Baum</translation>
+    </message>
+    <message>
+        <source>Contributions of trees</source>
+        <translation>Beiträge der Bäume</translation>
+    </message>
+    <message>
+        <source>What trees take of the sun that buildings leave, %1. The first %2 of %3; tree_contributions.csv lists each.</source>
+        <translation>Was Bäume von der Sonne nehmen, die Gebäude lassen, %1. Die ersten %2 von %3; tree_contributions.csv nennt jeden.</translation>
+    </message>
+    <message>
+        <source>By tree</source>
+        <translation>Nach Baum</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>How this was made</source>
+        <translation>Wie dies entstand</translation>
+    </message>
+    <message>
+        <source>Cells of %1 m; places with fewer than %2 of them have cells of %3 m. Cells on the edge of a place count with the share of them that lies in it.</source>
+        <translation>Zellen von %1 m; Orte mit weniger als %2 davon haben Zellen von %3 m. Zellen am Rand eines Orts zählen mit dem Anteil, der in ihm liegt.</translation>
+    </message>
+    <message>
+        <source>Without any shadow there would be %1 h of sun a day.</source>
+        <translation>Ohne jeden Schatten gäbe es %1 h Sonne am Tag.</translation>
+    </message>
+    <message>
+        <source>Also measured with %1.</source>
+        <translation>Auch mit %1 gemessen.</translation>
+    </message>
+    <message>
+        <source>Trees: %1.</source>
+        <translation>Bäume: %1.</translation>
+    </message>
+    <message>
+        <source>Error of cells: %1. The error of each figure is in the table at the end.</source>
+        <translation>Fehler der Zellen: %1. Der Fehler jeder Größe steht in der Tabelle am Ende.</translation>
+    </message>
+    <message>
+        <source>The baseline is %1. Ground that is built on in any scenario counts in none.</source>
+        <translation>Die Ausgangslage ist %1. Boden, der in irgendeinem Szenario bebaut ist, zählt in keinem.</translation>
+    </message>
+    <message>
+        <source>minutes of shadow</source>
+        <translation>Minuten Schatten</translation>
+    </message>
+    <message>
+        <source>hours of sun</source>
+        <translation>Sonnenstunden</translation>
+    </message>
+    <message>
+        <source>Shadow by place</source>
+        <translation>Schatten nach Ort</translation>
+    </message>
+    <message>
+        <source> a day</source>
+        <translation> am Tag</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 am %2</translation>
+    </message>
+    <message>
+        <source>Change of sun by place: </source>
+        <translation>Änderung der Sonne nach Ort: </translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>Minuten Sonne am Tag</translation>
+    </message>
+    <message>
+        <source> on this day</source>
+        <translation> an diesem Tag</translation>
+    </message>
+    <message>
+        <source>mean %1 a day</source>
+        <translation>Mittel %1 am Tag</translation>
+    </message>
+    <message>
+        <source>   Further places: table, %1 and on.</source>
+        <translation>   Weitere Orte: Tabelle, ab %1.</translation>
+    </message>
+    <message>
+        <source>Places by their %1</source>
+        <translation>Orte nach %1</translation>
+    </message>
+    <message>
+        <source>Numbers as in the key and the table; a number that would cover another one is left out. Outlines without colour: places without figures.</source>
+        <translation>Zahlen wie im Schlüssel und in der Tabelle; eine Zahl, die eine andere verdecken würde, fehlt. Umrisse ohne Farbe: Orte ohne Werte.</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow by place</source>
+        <translation>Minuten Schatten nach Ort</translation>
+    </message>
+    <message>
+        <source>Hours of sun by place</source>
+        <translation>Sonnenstunden nach Ort</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>Änderung der Sonne nach Ort</translation>
+    </message>
+    <message>
+        <source>change of mean sun a day against %1, minutes</source>
+        <translation>Änderung der mittleren Sonne am Tag gegenüber %1, Minuten</translation>
+    </message>
+    <message>
+        <source>, min</source>
+        <translation>, min</translation>
+    </message>
+    <message>
+        <source>%1, %2, min</source>
+        <translation>%1, %2, min</translation>
+    </message>
+    <message>
+        <source>Change of mean shadow, min</source>
+        <translation>Änderung des mittleren Schattens, min</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Below, %1</source>
+        <translation>Darunter, %1</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>with least sun</source>
+        <translation>mit der wenigsten Sonne</translation>
+    </message>
+    <message>
+        <source>that lose most to the first scenario</source>
+        <translation>die am meisten an das erste Szenario verlieren</translation>
+    </message>
+    <message>
+        <source>All %1, those %2 first.</source>
+        <translation>Alle %1, zuerst die %2.</translation>
+    </message>
+    <message>
+        <source>The %1 of %2 %3; all of them are in places.csv.</source>
+        <translation>Die %1 von %2 %3; alle stehen in places.csv.</translation>
+    </message>
+    <message>
+        <source> The figures are those of %1; changes are from %2.</source>
+        <translation> Die Werte sind die von %1; Änderungen gelten gegenüber %2.</translation>
+    </message>
+    <message>
+        <source>Errors against the ray reference, on a sample</source>
+        <translation>Fehler gegen die Strahlenreferenz, an einer Stichprobe</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>99 of 100 within</source>
+        <translation>99 von 100 innerhalb</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Not measured.</source>
+        <translation>Nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>No month has a day that counts</source>
+        <translation>Kein Monat hat einen Tag, der zählt</translation>
+    </message>
+    <message>
+        <source>100 % of the place</source>
+        <translation>100 % des Orts</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>nicht gezählt</translation>
+    </message>
+    <message>
+        <source>The sun is not up in the hours of the rule</source>
+        <translation>In den Stunden der Regel steht die Sonne nicht am Himmel</translation>
+    </message>
+    <message>
+        <source>%1   not counted</source>
+        <translation>%1   nicht gezählt</translation>
+    </message>
+    <message>
+        <source>the scenario&apos;s shadow</source>
+        <translation>dem Schatten des Szenarios</translation>
+    </message>
+    <message>
+        <source>the baseline&apos;s shadow</source>
+        <translation>dem Schatten der Ausgangslage</translation>
+    </message>
+    <message>
+        <source>%1   %2 % of the place in %3</source>
+        <translation>%1   %2 % des Orts in %3</translation>
+    </message>
+    <message>
+        <source>sq ft</source>
+        <translation>sq ft</translation>
+    </message>
+    <message>
+        <source>Sun gained</source>
+        <translation>Gewonnene Sonne</translation>
+    </message>
+    <message>
+        <source>The sun is not up in the rule&apos;s hours, or the place has no open ground</source>
+        <translation>In den Stunden der Regel steht die Sonne nicht am Himmel, oder der Ort hat keinen offenen Boden</translation>
+    </message>
+    <message>
+        <source>%1   incremental %2; scenario %3; baseline %4</source>
+        <translation>%1   zusätzlich %2; Szenario %3; Ausgangslage %4</translation>
+    </message>
+    <message>
+        <source>; sun gained %1</source>
+        <translation>; gewonnene Sonne %1</translation>
+    </message>
+    <message>
+        <source>Incremental shadow on the edge of the place alone, beside all centres of cells</source>
+        <translation>Zusätzlicher Schatten nur am Rand des Orts, neben allen Zellmitten</translation>
+    </message>
+    <message>
+        <source>No incremental shadow in the rule&apos;s hours</source>
+        <translation>Kein zusätzlicher Schatten in den Stunden der Regel</translation>
+    </message>
+    <message>
+        <source> (up to %1 min too late)</source>
+        <translation> (bis zu %1 min zu spät)</translation>
+    </message>
+    <message>
+        <source>Incremental shadow from %1 to %2%6; at most %3, %4 % of the place, at %5</source>
+        <translation>Zusätzlicher Schatten von %1 bis %2%6; höchstens %3, %4 % des Orts, um %5</translation>
+    </message>
+    <message>
+        <source>less shadow</source>
+        <translation>weniger Schatten</translation>
+    </message>
+    <message>
+        <source>in the sun</source>
+        <translation>in der Sonne</translation>
+    </message>
+    <message>
+        <source>more shadow</source>
+        <translation>mehr Schatten</translation>
+    </message>
+    <message>
+        <source>in shadow</source>
+        <translation>im Schatten</translation>
+    </message>
+    <message>
+        <source>violet: proposed</source>
+        <translation>violett: Entwurf</translation>
+    </message>
+    <message>
+        <source>orange: only in the baseline</source>
+        <translation>orange: nur in der Ausgangslage</translation>
+    </message>
+    <message>
+        <source>orange: demolished</source>
+        <translation>orange: abgerissen</translation>
+    </message>
+    <message>
+        <source>dashed: open below</source>
+        <translation>gestrichelt: unten offen</translation>
+    </message>
+    <message>
+        <source>dark line: region</source>
+        <translation>dunkle Linie: Gebiet</translation>
+    </message>
+    <message>
+        <source> mi</source>
+        <translation> mi</translation>
+    </message>
+    <message>
+        <source> ft</source>
+        <translation> ft</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Änderungen</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Szenarien</translation>
+    </message>
+    <message>
+        <source>%1 Change: from %2, on the receivers of both. Engine: %3.</source>
+        <translation>%1 Änderung: von %2, auf den Messpunkten beider. Verfahren: %3.</translation>
+    </message>
+    <message>
+        <source>The same study of each scenario</source>
+        <translation>Dieselbe Untersuchung jedes Szenarios</translation>
+    </message>
+    <message>
+        <source>%1 high</source>
+        <translation>%1 hoch</translation>
+    </message>
+    <message>
+        <source>floor area %1</source>
+        <translation>Geschossfläche %1</translation>
+    </message>
+    <message>
+        <source>no new building with known floors</source>
+        <translation>kein neues Gebäude mit bekannten Geschossen</translation>
+    </message>
+    <message>
+        <source>, on one scale</source>
+        <translation>, auf einer Skala</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 scenarios; scenario_months.csv has all</source>
+        <translation>Die ersten %1 von %2 Szenarien; scenario_months.csv enthält alle</translation>
+    </message>
+    <message>
+        <source>%1: %2. Buildings and ground: SHA-256 %3.</source>
+        <translation>%1: %2. Gebäude und Boden: SHA-256 %3.</translation>
+    </message>
+    <message>
+        <source>no changes</source>
+        <translation>keine Änderungen</translation>
+    </message>
+    <message>
+        <source>Colours: %1 in %2; continuous shadow in %3.</source>
+        <translation>Farben: %1 in %2; Dauerschatten in %3.</translation>
+    </message>
+    <message>
+        <source>sun</source>
+        <translation>Sonne</translation>
+    </message>
+    <message>
+        <source>gross shadow</source>
+        <translation>Gesamtschatten</translation>
+    </message>
+    <message>
+        <source>Change: minutes in %1 minus minutes in %2, with the same engine, steps and cells; positive means more %3. %4</source>
+        <translation>Änderung: Minuten in %1 minus Minuten in %2, mit demselben Verfahren, denselben Schritten und Zellen; positiv heißt mehr %3. %4</translation>
+    </message>
+    <message>
+        <source>shadow</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>%1: %2 with more than %3 min a day of additional gross shadow</source>
+        <translation>%1: %2 mit mehr als %3 min zusätzlichem Gesamtschatten am Tag</translation>
+    </message>
+    <message>
+        <source>This is the error of the change, compared with the change by the ray reference.</source>
+        <translation>Dies ist der Fehler der Änderung, verglichen mit der Änderung nach der Strahlenreferenz.</translation>
+    </message>
+    <message>
+        <source>%1, %2 m high</source>
+        <translation>%1, %2 m hoch</translation>
+    </message>
+    <message>
+        <source>Further new buildings</source>
+        <translation>Weitere neue Gebäude</translation>
+    </message>
+    <message>
+        <source>sun above the horizon for %1 min a day</source>
+        <translation>Sonne %1 min am Tag über dem Horizont</translation>
+    </message>
+    <message>
+        <source> Positive means that wanted shade outweighs unwanted shadow. The figures of the months add up to the total.</source>
+        <translation> Positiv heißt, dass erwünschter Schatten den unerwünschten überwiegt. Die Zahlen der Monate ergeben zusammen die Summe.</translation>
+    </message>
+    <message>
+        <source>Engine: %1.</source>
+        <translation>Verfahren: %1.</translation>
+    </message>
+    <message>
+        <source>Receivers: centres of square cells of %1 m on %2, inside the region.</source>
+        <translation>Messpunkte: Mitten quadratischer Zellen von %1 m auf %2, im Gebiet.</translation>
+    </message>
+    <message>
+        <source>Weights: %1</source>
+        <translation>Gewichte: %1</translation>
+    </message>
+    <message>
+        <source>Shadow score of %1</source>
+        <translation>Schattenbewertung von %1</translation>
+    </message>
+    <message>
+        <source> At each step a ray is traced from each receiver to the centre of the sun; the receiver is in shadow if a building or the terrain blocks the ray.</source>
+        <translation> In jedem Schritt wird von jedem Messpunkt ein Strahl zur Sonnenmitte verfolgt; der Messpunkt liegt im Schatten, wenn ein Gebäude oder das Gelände den Strahl aufhält.</translation>
+    </message>
+    <message>
+        <source>the terrain</source>
+        <translation>dem Gelände</translation>
+    </message>
+    <message>
+        <source>flat ground</source>
+        <translation>ebenem Boden</translation>
+    </message>
+    <message>
+        <source>Receivers: centres of square cells of %1 m on %2, inside the region and not under a building.</source>
+        <translation>Messpunkte: Mitten quadratischer Zellen von %1 m auf %2, im Gebiet und nicht unter einem Gebäude.</translation>
+    </message>
+    <message>
+        <source>Terrain: %1.</source>
+        <translation>Gelände: %1.</translation>
+    </message>
+    <message>
+        <source>; a single day is up to %1 min too long or too short</source>
+        <translation>; ein einzelner Tag ist bis zu %1 min zu lang oder zu kurz</translation>
+    </message>
+    <message>
+        <source> The requested step was %1 min; its length was adjusted so that whole steps fill the hours of each day and the period has the exact number of minutes%2.</source>
+        <translation> Der verlangte Schritt war %1 min; seine Länge wurde angepasst, damit ganze Schritte die Stunden jedes Tages füllen und der Zeitraum genau die richtige Zahl von Minuten hat%2.</translation>
+    </message>
+    <message>
+        <source>Time: %1 steps of %2 min used; %3 left out because the sun was below the horizon (night is not shadow). Shares of time refer to the time with the sun above the horizon.%4</source>
+        <translation>Zeit: %1 Schritte von %2 min verwendet; %3 weggelassen, weil die Sonne unter dem Horizont stand (Nacht ist kein Schatten). Zeitanteile beziehen sich auf die Zeit mit der Sonne über dem Horizont.%4</translation>
+    </message>
+    <message>
+        <source>geometric altitude, without refraction</source>
+        <translation>geometrische Höhe, ohne Refraktion</translation>
+    </message>
+    <message>
+        <source>apparent altitude, with refraction at %1 hPa and %2 °C</source>
+        <translation>scheinbare Höhe, mit Refraktion bei %1 hPa und %2 °C</translation>
+    </message>
+    <message>
+        <source> At %1 steps the sun is just above the horizon but below the plane of the geometry; they are computed with the sun in that plane.</source>
+        <translation> In %1 Schritten steht die Sonne knapp über dem Horizont, aber unter der Ebene der Geometrie; sie sind mit der Sonne in dieser Ebene berechnet.</translation>
+    </message>
+    <message>
+        <source> In the frame of the geometry true north is rotated by %1° there and the vertical by %2°; at the farthest corner of the region the vertical differs by up to %3° (%4 s of the sun&apos;s motion).%5</source>
+        <translation> Im Koordinatensystem der Geometrie ist geografisch Nord dort um %1° gedreht und die Senkrechte um %2°; an der entferntesten Ecke des Gebiets weicht die Senkrechte um bis zu %3° ab (%4 s der Sonnenbewegung).%5</translation>
+    </message>
+    <message>
+        <source>Sun: ERFA, topocentric, seen from the centre of the region (%1, %2 m); %3. Civil time of %4 from the tz database.%5</source>
+        <translation>Sonne: ERFA, topozentrisch, von der Mitte des Gebiets aus gesehen (%1, %2 m); %3. Ortszeit von %4 aus der tz-Datenbank.%5</translation>
+    </message>
+    <message>
+        <source>Frame: metres to the east and true north of %1 (WGS84), the CRS of shadow.tif: %2</source>
+        <translation>Koordinaten: Meter nach Osten und geografisch Norden von %1 (WGS84), das CRS von shadow.tif: %2</translation>
+    </message>
+    <message>
+        <source>%1 % in the mean, %2 % at the 99th percentile, %3 % (%4 min) at the worst receiver (%5)</source>
+        <translation>%1 % im Mittel, %2 % beim 99. Perzentil, %3 % (%4 min) am schlechtesten Messpunkt (%5)</translation>
+    </message>
+    <message>
+        <source>; continuous shadow by %1, of the longest day</source>
+        <translation>; Dauerschatten um %1, des längsten Tages</translation>
+    </message>
+    <message>
+        <source>Measured on %1 of the %2 receivers, spread over the region and traced again by the ray reference over the same %3 steps: shadow area off by %4 % of the ground (standard error %5); gross shadow by %6, of the sunlit time%7.</source>
+        <translation>An %1 der %2 Messpunkte gemessen, über das Gebiet verteilt und mit der Strahlenreferenz in denselben %3 Schritten nachgerechnet: Schattenfläche um %4 % des Bodens daneben (Standardfehler %5); Gesamtschatten um %6, der besonnten Zeit%7.</translation>
+    </message>
+    <message>
+        <source>All other engines are measured against the ray reference: for the city as modelled, one exact test decides each receiver and step. Changes between sun and shadow are resolved to one step (%1 min), edges of shadows to one cell (%2 m).</source>
+        <translation>Alle anderen Verfahren werden gegen die Strahlenreferenz gemessen: für die Stadt, wie sie modelliert ist, entscheidet eine genaue Prüfung jeden Messpunkt und Schritt. Wechsel zwischen Sonne und Schatten sind auf einen Schritt (%1 min) aufgelöst, Schattenränder auf eine Zelle (%2 m).</translation>
+    </message>
+    <message>
+        <source>Limits of the model: roofs are flat unless the data contains their shape; %1; the sun is a point, whereas its real disc of 0.53° blurs a shadow&apos;s edge by about 1 m per 100 m of distance from the occluder. An error in height moves the end of a shadow by error / tan(altitude of the sun): see the sources of the heights.</source>
+        <translation>Grenzen des Modells: Dächer sind flach, wenn die Daten ihre Form nicht enthalten; %1; die Sonne ist ein Punkt, während ihre wirkliche Scheibe von 0,53° den Schattenrand um etwa 1 m je 100 m Entfernung vom Hindernis verwischt. Ein Höhenfehler verschiebt das Schattenende um Fehler / tan(Sonnenhöhe): siehe die Herkunft der Höhen.</translation>
+    </message>
+    <message>
+        <source>trees count only in figures that name them, street furniture in none</source>
+        <translation>Bäume zählen nur in Zahlen, die sie nennen, Straßenmöbel in keiner</translation>
+    </message>
+    <message>
+        <source>trees and street furniture are not included</source>
+        <translation>Bäume und Straßenmöbel sind nicht enthalten</translation>
+    </message>
+    <message>
+        <source> Shares: of the receivers&apos; area and of the sunlit time.</source>
+        <translation> Anteile: an der Fläche der Messpunkte und an der besonnten Zeit.</translation>
+    </message>
+    <message>
+        <source>Continuous shadow was not counted.</source>
+        <translation>Dauerschatten wurde nicht gezählt.</translation>
+    </message>
+    <message>
+        <source>Error against the ray reference, on a sample</source>
+        <translation>Fehler gegen die Strahlenreferenz, an einer Stichprobe</translation>
+    </message>
+    <message>
+        <source>, scenario </source>
+        <translation>, Szenario </translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Eingaben</translation>
+    </message>
+    <message>
+        <source>and %1 more: see the JSON file</source>
+        <translation>und %1 weitere: siehe die JSON-Datei</translation>
+    </message>
+    <message>
+        <source>No file: the city was not read from a file.</source>
+        <translation>Keine Datei: die Stadt wurde nicht aus einer Datei gelesen.</translation>
+    </message>
+    <message>
+        <source>%1: %2, the city without edits.</source>
+        <translation>%1: %2, die Stadt ohne Änderungen.</translation>
+    </message>
+    <message>
+        <source>The project has not been saved yet.</source>
+        <translation>Das Projekt ist noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1, which does not contain the latest changes.</source>
+        <translation>%1, das die letzten Änderungen nicht enthält.</translation>
+    </message>
+    <message>
+        <source>%1, SHA-256 of the file:</source>
+        <translation>%1, SHA-256 der Datei:</translation>
+    </message>
+    <message>
+        <source>Project and scenario</source>
+        <translation>Projekt und Szenario</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the content behind the result (defined in the JSON file):</source>
+        <translation>SHA-256 des Inhalts hinter dem Ergebnis (in der JSON-Datei definiert):</translation>
+    </message>
+    <message>
+        <source>an unknown number of m</source>
+        <translation>einer unbekannten Zahl von m</translation>
+    </message>
+    <message>
+        <source>from levels × %1</source>
+        <translation>aus Geschossen × %1</translation>
+    </message>
+    <message>
+        <source>missing in the data and replaced by a default (%1 for a whole building)</source>
+        <translation>fehlen in den Daten und sind durch eine Vorgabe ersetzt (%1 für ein ganzes Gebäude)</translation>
+    </message>
+    <message>
+        <source>from three-dimensional data</source>
+        <translation>aus dreidimensionalen Daten</translation>
+    </message>
+    <message>
+        <source>designed: given by the scenario</source>
+        <translation>entworfen: vom Szenario gegeben</translation>
+    </message>
+    <message>
+        <source>made up: a sample of no real place</source>
+        <translation>erfunden: ein Beispiel ohne wirklichen Ort</translation>
+    </message>
+    <message>
+        <source>%1 in %2. Heights of the parts: %3.</source>
+        <translation>%1 in %2. Höhen der Teile: %3.</translation>
+    </message>
+    <message>
+        <source>From %1.</source>
+        <translation>Aus %1.</translation>
+    </message>
+    <message>
+        <source>Features of the files are not parts: an outline that has parts of its own makes none, a feature of several outlines several.</source>
+        <translation>Objekte der Dateien sind keine Teile: ein Umriss mit eigenen Teilen ergibt keinen, ein Objekt mit mehreren Umrissen mehrere.</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>None: every feature was used unchanged.</source>
+        <translation>Keine: jedes Objekt wurde unverändert verwendet.</translation>
+    </message>
+    <message>
+        <source>%1 in total, of %2 kinds; the JSON file beside this report lists each one with its feature.</source>
+        <translation>%1 insgesamt, von %2 Arten; die JSON-Datei neben diesem Bericht nennt jeden mit seinem Objekt.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>%1 of %2 buildings used</source>
+        <translation>%1 von %2 Gebäuden verwendet</translation>
+    </message>
+    <message>
+        <source>, %1 rays</source>
+        <translation>, %1 Strahlen</translation>
+    </message>
+    <message>
+        <source>. Skipped: </source>
+        <translation>. Ausgelassen: </translation>
+    </message>
+    <message>
+        <source>Computation</source>
+        <translation>Berechnung</translation>
+    </message>
+    <message>
+        <source>How to repeat this result</source>
+        <translation>Wie dieses Ergebnis zu wiederholen ist</translation>
+    </message>
+    <message>
+        <source>%1 lies beside this report.</source>
+        <translation>%1 liegt neben diesem Bericht.</translation>
+    </message>
+    <message>
+        <source>Shadow study</source>
+        <translation>Schattenuntersuchung</translation>
+    </message>
+    <message>
+        <source>at an unknown time</source>
+        <translation>zu unbekannter Zeit</translation>
+    </message>
+    <message>
+        <source>on </source>
+        <translation>am </translation>
+    </message>
+    <message>
+        <source>A result saved in the project</source>
+        <translation>Ein im Projekt gespeichertes Ergebnis</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, saved %2 by %3. Maps and figures are those that were saved.</source>
+        <translation>„%1“, gespeichert %2 von %3. Karten und Zahlen sind die, die gespeichert wurden.</translation>
+    </message>
+    <message>
+        <source>Its inputs have not changed since.</source>
+        <translation>Seine Eingaben haben sich seither nicht geändert.</translation>
+    </message>
+    <message>
+        <source>The buildings drawn are those of the scenario as it is now.</source>
+        <translation>Gezeichnet sind die Gebäude des Szenarios, wie es jetzt ist.</translation>
+    </message>
+    <message>
+        <source>Square cells of %1 m; those that were not measured are white on the map.</source>
+        <translation>Quadratische Zellen von %1 m; die nicht gemessenen sind auf der Karte weiß.</translation>
+    </message>
+    <message>
+        <source>Error: %1.</source>
+        <translation>Fehler: %1.</translation>
+    </message>
+    <message>
+        <source>Weight table: %1.</source>
+        <translation>Gewichtstabelle: %1.</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Shadow study of %1</source>
+        <translation>Schattenuntersuchung von %1</translation>
+    </message>
+    <message>
+        <source>Change: minutes in %1 minus minutes in %2; positive means more %3. %4</source>
+        <translation>Änderung: Minuten in %1 minus Minuten in %2; positiv heißt mehr %3. %4</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>W</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>%1 m east-west by %2 m north-south around %3 (WGS84)</source>
+        <translation>%1 m von Ost nach West mal %2 m von Nord nach Süd um %3 (WGS84)</translation>
+    </message>
+    <message>
+        <source>Data: </source>
+        <translation>Daten: </translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Zellgröße</translation>
+    </message>
+    <message>
+        <source>Steps of the sun</source>
+        <translation>Sonnenstände</translation>
+    </message>
+    <message>
+        <source> + %1 min</source>
+        <translation> + %1 min</translation>
+    </message>
+    <message>
+        <source> - %1 min</source>
+        <translation> - %1 min</translation>
+    </message>
+    <message>
+        <source>sunrise</source>
+        <translation>Sonnenaufgang</translation>
+    </message>
+    <message>
+        <source> to </source>
+        <translation> bis </translation>
+    </message>
+    <message>
+        <source>sunset</source>
+        <translation>Sonnenuntergang</translation>
+    </message>
+    <message>
+        <source>%1 for %2 h</source>
+        <translation>%1, %2 h lang</translation>
+    </message>
+    <message>
+        <source>no date</source>
+        <translation>kein Datum</translation>
+    </message>
+    <message>
+        <source>%1 to %2 (%3)</source>
+        <translation>%1 bis %2 (%3)</translation>
+    </message>
+    <message>
+        <source>at </source>
+        <translation>um </translation>
+    </message>
+    <message>
+        <source>, every %1 min</source>
+        <translation>, alle %1 min</translation>
+    </message>
+    <message>
+        <source>... the rest is in the JSON file</source>
+        <translation>... der Rest steht in der JSON-Datei</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>nicht geprüft</translation>
+    </message>
+    <message>
+        <source>December to February</source>
+        <translation>Dezember bis Februar</translation>
+    </message>
+    <message>
+        <source>March to May</source>
+        <translation>März bis Mai</translation>
+    </message>
+    <message>
+        <source>June to August</source>
+        <translation>Juni bis August</translation>
+    </message>
+    <message>
+        <source>September to November</source>
+        <translation>September bis November</translation>
+    </message>
+    <message>
+        <source>every</source>
+        <translation>jeder</translation>
+    </message>
+    <message>
+        <source>average</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>gewählt</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>civil</source>
+        <translation>bürgerliche Zeit</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>Normalzeit</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>fest</translation>
+    </message>
+    <message>
+        <source>true solar</source>
+        <translation>wahre Sonnenzeit</translation>
+    </message>
+    <message>
+        <source>upper limb</source>
+        <translation>Oberrand</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>windows</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>everything</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>existing</source>
+        <translation>Bestand</translation>
+    </message>
+    <message>
+        <source>no action</source>
+        <translation>ohne Vorhaben</translation>
+    </message>
+    <message>
+        <source>reference body</source>
+        <translation>Vergleichskörper</translation>
+    </message>
+    <message>
+        <source>mid pane</source>
+        <translation>Scheibenmitte</translation>
+    </message>
+    <message>
+        <source>sill middle</source>
+        <translation>Mitte der Brüstung</translation>
+    </message>
+    <message>
+        <source>sill ends</source>
+        <translation>Enden der Brüstung</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außen</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>room</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>dwelling</source>
+        <translation>Wohnung</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5943,6 +8771,17 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>sweeping horizons</source>
         <translation>sucht Horizonte</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ChartPages</name>
+    <message>
+        <source>Timelines</source>
+        <translation>Zeitverläufe</translation>
+    </message>
+    <message>
+        <source>Clock: %1.</source>
+        <translation>Uhrzeit: %1.</translation>
     </message>
 </context>
 <context>
@@ -6274,6 +9113,21 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>tracing rays through trees</source>
         <translation>verfolgt Strahlen durch Bäume</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::DayClock</name>
+    <message>
+        <source>%1, with daylight saving</source>
+        <translation>%1, mit Sommerzeit</translation>
+    </message>
+    <message>
+        <source>%1, standard time</source>
+        <translation>%1, Normalzeit</translation>
+    </message>
+    <message>
+        <source>true solar time</source>
+        <translation>wahre Sonnenzeit</translation>
     </message>
 </context>
 <context>
@@ -6644,6 +9498,29 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
 </context>
 <context>
+    <name>noonmark::ElevationFlow</name>
+    <message>
+        <source> %1 more buildings are not drawn.</source>
+        <translation> %1 weitere Gebäude sind nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source> %1 sides do not fit on %2 at 1:%3 and are smaller.</source>
+        <translation> %1 Seiten passen nicht auf %2 bei 1:%3 und sind kleiner.</translation>
+    </message>
+    <message>
+        <source>%1, facing %2 (%3°)</source>
+        <translation>%1, nach %2 (%3°)</translation>
+    </message>
+    <message>
+        <source>, layer %1 of %2</source>
+        <translation>, Lage %1 von %2</translation>
+    </message>
+    <message>
+        <source>1:%1 on %2. %3 windows</source>
+        <translation>1:%1 auf %2. %3 Fenster</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::Exploration</name>
     <message>
         <source>Exploring</source>
@@ -6800,6 +9677,26 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>Save project first</source>
         <translation>Projekt zuerst speichern</translation>
     </message>
+    <message>
+        <source>The name of the PDF with the sheets</source>
+        <translation>Der Name der PDF-Datei mit den Blättern</translation>
+    </message>
+    <message>
+        <source>Name of the sheets</source>
+        <translation>Name der Blätter</translation>
+    </message>
+    <message>
+        <source>Two of the files have one name: choose another for the sheets</source>
+        <translation>Zwei der Dateien haben denselben Namen: Wählen Sie einen anderen für die Blätter</translation>
+    </message>
+    <message>
+        <source>No sheets are written. Tick &quot;%1&quot; to see and write them.</source>
+        <translation>Es werden keine Blätter geschrieben. Mit „%1“ sind sie zu sehen und werden geschrieben.</translation>
+    </message>
+    <message>
+        <source>What is chosen has no sheets.</source>
+        <translation>Was gewählt ist, hat keine Blätter.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ExtrudeHandle</name>
@@ -6949,6 +9846,41 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>writing the movie</source>
         <translation>schreibt den Film</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::FramePainter</name>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>Auftraggeber</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Verfasser</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blatt</translation>
+    </message>
+    <message>
+        <source>sheet %1 of %2</source>
+        <translation>Blatt %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -7658,6 +10590,10 @@ Näherung: Die Legende nennt den gemessenen Fehler. Urteile von Prüfungen bleib
     <message>
         <source>Height above ground</source>
         <translation>Höhe über Gelände</translation>
+    </message>
+    <message>
+        <source>Turn, taper, twist</source>
+        <translation>Drehen, verjüngen, verdrehen</translation>
     </message>
 </context>
 <context>
@@ -8383,6 +11319,60 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <source>A terrain, an aerial photograph, trees, or parks and other places; what the city has stays</source>
         <translation>Ein Gelände, ein Luftbild, Bäume oder Parks und andere Orte; was die Stadt hat, bleibt</translation>
     </message>
+    <message>
+        <source>%1 is drawn as %2; a right click on it in Project changes its kind.</source>
+        <translation>%1 ist als %2 gezeichnet; ein Rechtsklick darauf in Projekt ändert die Art.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceCharts</name>
+    <message>
+        <source>Timelines</source>
+        <translation>Zeitverläufe</translation>
+    </message>
+    <message>
+        <source>Hours of the year in shadow</source>
+        <translation>Stunden des Jahres im Schatten</translation>
+    </message>
+    <message>
+        <source>Shadow by month</source>
+        <translation>Schatten nach Monat</translation>
+    </message>
+    <message>
+        <source>%1 measured. Clock: %2.</source>
+        <translation>%1 gemessen. Uhrzeit: %2.</translation>
+    </message>
+    <message>
+        <source>Incremental shadow: share of the place</source>
+        <translation>Zusätzlicher Schatten: Anteil des Orts</translation>
+    </message>
+    <message>
+        <source>Shadow in the scenario: share of the place</source>
+        <translation>Schatten im Szenario: Anteil des Orts</translation>
+    </message>
+    <message>
+        <source>Day of the year across, time of day upwards; not counted: the sun is down, or outside the rule&apos;s hours</source>
+        <translation>Tage des Jahres nach rechts, Tageszeit nach oben; nicht gezählt: die Sonne ist untergegangen, oder außerhalb der Stunden der Regel</translation>
+    </message>
+    <message>
+        <source>Area × hours in shadow by month</source>
+        <translation>Fläche × Stunden im Schatten nach Monaten</translation>
+    </message>
+    <message>
+        <source>The measured half of the year stands for both halves: each month counts twice</source>
+        <translation>Die gemessene Jahreshälfte steht für beide Hälften: jeder Monat zählt doppelt</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceEvaluation</name>
+    <message>
+        <source>The rule is about windows, not about places</source>
+        <translation>Die Regel gilt für Fenster, nicht für Orte</translation>
+    </message>
+    <message>
+        <source>The place has no cell where shadow is measured</source>
+        <translation>Der Ort hat keine Zelle, in der Schatten gemessen wird</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceFile</name>
@@ -8457,6 +11447,33 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>Only those in reach of the shadow; they are being found</source>
         <translation>Nur die in Reichweite des Schattens; sie werden gesucht</translation>
+    </message>
+    <message>
+        <source>What the place is that is drawn, of the kinds that the rule is about</source>
+        <translation>Was der gezeichnete Ort ist, von den Arten, für die die Regel gilt</translation>
+    </message>
+    <message>
+        <source>Draw place</source>
+        <translation>Ort zeichnen</translation>
+    </message>
+    <message>
+        <source>Click the place&apos;s corners on the ground; double click or Enter finishes. Its name can then be typed in the list.</source>
+        <translation>Klicken Sie die Ecken des Ortes am Boden an; Doppelklick oder Eingabe beendet. Der Name kann dann in der Liste getippt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceSorter</name>
+    <message>
+        <source>further places: %1</source>
+        <translation>weitere Orte: %1</translation>
+    </message>
+    <message>
+        <source>%1: pieces of less than %2</source>
+        <translation>%1: Stücke von weniger als %2</translation>
+    </message>
+    <message>
+        <source>%1, pieces of less than %2</source>
+        <translation>%1, Stücke von weniger als %2</translation>
     </message>
 </context>
 <context>
@@ -9919,6 +12936,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>&lt;b&gt;%1&lt;/b&gt;: %2 as it stands. %3</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;: %2 im jetzigen Zustand. %3</translation>
     </message>
+    <message>
+        <source>The project holds %1, see the list of Results. Run review shows its places and timelines again.</source>
+        <translation>Das Projekt enthält %1, siehe die Liste der Ergebnisse. „Prüfung ausführen“ zeigt Orte und Zeitverläufe wieder.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewForm</name>
@@ -11033,6 +14054,18 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>Cancelled.</source>
         <translation>Abgebrochen.</translation>
     </message>
+    <message>
+        <source>The project holds what was measured: %1.</source>
+        <translation>Das Projekt enthält, was gemessen wurde: %1.</translation>
+    </message>
+    <message>
+        <source>The project holds %1 answers, all in the list of Results; among them %2.</source>
+        <translation>Das Projekt enthält %1 Antworten, alle in der Liste der Ergebnisse; darunter %2.</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>Anzeigen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::StudyDock</name>
@@ -11142,10 +14175,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Bruttogeschossfläche oder Geschossflächenzahl: Bruttogeschossfläche geteilt durch die Fläche des Grundstücks</translation>
     </message>
     <message>
-        <source>What the tower shall have; press a button below to reach it</source>
-        <translation>Was der Turm haben soll; eine Schaltfläche darunter erreicht es</translation>
-    </message>
-    <message>
         <source>Fit storeys</source>
         <translation>Geschosse anpassen</translation>
     </message>
@@ -11164,6 +14193,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source> sq ft</source>
         <translation> sq ft</translation>
+    </message>
+    <message>
+        <source>What the tower shall have: type it, and storeys or plate are fitted; else what it has</source>
+        <translation>Was der Turm haben soll: Ist es getippt, werden Geschosse oder Grundriss angepasst; sonst, was er hat</translation>
     </message>
 </context>
 <context>
@@ -12802,6 +15835,458 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>around %1</source>
         <translation>um %1</translation>
+    </message>
+    <message>
+        <source>That of the window</source>
+        <translation>Die des Fensters</translation>
+    </message>
+    <message>
+        <source>Sun: azimuth %1°, altitude %2°</source>
+        <translation>Sonne: Azimut %1°, Höhe %2°</translation>
+    </message>
+    <message>
+        <source>%1 further pages are printed by the option --all-pages. </source>
+        <translation>%1 weitere Seiten druckt die Option --all-pages. </translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>%1, generated by this program</source>
+        <translation>%1, von diesem Programm erzeugt</translation>
+    </message>
+    <message>
+        <source>%1, %2 bytes, SHA-256:</source>
+        <translation>%1, %2 Bytes, SHA-256:</translation>
+    </message>
+    <message>
+        <source>%1 day</source>
+        <translation>%1 Tag</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 Tage</translation>
+    </message>
+    <message>
+        <source>%1 step</source>
+        <translation>%1 Schritt</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 Schritte</translation>
+    </message>
+    <message>
+        <source>%1 value</source>
+        <translation>%1 Wert</translation>
+    </message>
+    <message>
+        <source>%1 values</source>
+        <translation>%1 Werte</translation>
+    </message>
+    <message>
+        <source>%1 edit</source>
+        <translation>%1 Änderung</translation>
+    </message>
+    <message>
+        <source>%1 edits</source>
+        <translation>%1 Änderungen</translation>
+    </message>
+    <message>
+        <source>%1 place</source>
+        <translation>%1 Ort</translation>
+    </message>
+    <message>
+        <source>%1 places</source>
+        <translation>%1 Orte</translation>
+    </message>
+    <message>
+        <source>%1 building</source>
+        <translation>%1 Gebäude</translation>
+    </message>
+    <message>
+        <source>%1 buildings</source>
+        <translation>%1 Gebäude</translation>
+    </message>
+    <message>
+        <source>%1 part</source>
+        <translation>%1 Teil</translation>
+    </message>
+    <message>
+        <source>%1 parts</source>
+        <translation>%1 Teilen</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>ft</translation>
+    </message>
+    <message>
+        <source>sq ft</source>
+        <translation>sq ft</translation>
+    </message>
+    <message>
+        <source>acres</source>
+        <translation>Acres</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>, one day in %1</source>
+        <translation>, ein Tag von %1</translation>
+    </message>
+    <message>
+        <source>, half a year mirrored at 21 June</source>
+        <translation>, ein halbes Jahr, am 21. Juni gespiegelt</translation>
+    </message>
+    <message>
+        <source>; sun above %1 deg</source>
+        <translation>; Sonne über %1 Grad</translation>
+    </message>
+    <message>
+        <source>; sunrise: %1</source>
+        <translation>; Sonnenaufgang: %1</translation>
+    </message>
+    <message>
+        <source>, %1, %2 face</source>
+        <translation>, %1, %2</translation>
+    </message>
+    <message>
+        <source>, %1 m above the sill</source>
+        <translation>, %1 m über der Brüstung</translation>
+    </message>
+    <message>
+        <source>, %1 m above the floor</source>
+        <translation>, %1 m über dem Fußboden</translation>
+    </message>
+    <message>
+        <source>, sun at least %1 deg from the pane</source>
+        <translation>, Sonne mindestens %1 Grad von der Scheibe</translation>
+    </message>
+    <message>
+        <source>, sun at least arctan(wall / width) from the pane</source>
+        <translation>, Sonne mindestens arctan(Wand / Breite) von der Scheibe</translation>
+    </message>
+    <message>
+        <source>; by %1</source>
+        <translation>; je %1</translation>
+    </message>
+    <message>
+        <source>; sill %1 m, wall %2 m, windows without a size %3 x %4 m</source>
+        <translation>; Brüstung %1 m, Wand %2 m, Fenster ohne Größe %3 x %4 m</translation>
+    </message>
+    <message>
+        <source> %1 m above mean ground</source>
+        <translation> %1 m über dem mittleren Boden</translation>
+    </message>
+    <message>
+        <source>; lines %1 and %2 m from the parcel</source>
+        <translation>; Linien %1 und %2 m vom Grundstück</translation>
+    </message>
+    <message>
+        <source>, whose line moves out by %1 of the width of roads up to %2 m, to %3 m inside the far side of wider ones</source>
+        <translation>, dessen Linie um das %1-fache der Breite von Straßen bis %2 m nach außen rückt, bei breiteren bis %3 m vor ihre ferne Seite</translation>
+    </message>
+    <message>
+        <source>; all places</source>
+        <translation>; alle Orte</translation>
+    </message>
+    <message>
+        <source> or</source>
+        <translation> oder</translation>
+    </message>
+    <message>
+        <source>: stated, no limit</source>
+        <translation>: angegeben, ohne Grenze</translation>
+    </message>
+    <message>
+        <source>; windows facing %1 to %2 deg</source>
+        <translation>; Fenster nach %1 bis %2 Grad</translation>
+    </message>
+    <message>
+        <source> (does not decide)</source>
+        <translation> (entscheidet nicht)</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>Tage</translation>
+    </message>
+    <message>
+        <source>clock</source>
+        <translation>Uhrzeit</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>receivers</source>
+        <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>casters</source>
+        <translation>Hindernisse</translation>
+    </message>
+    <message>
+        <source>trees</source>
+        <translation>Bäume</translation>
+    </message>
+    <message>
+        <source>baseline</source>
+        <translation>Ausgangslage</translation>
+    </message>
+    <message>
+        <source>criterion</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>holds if</source>
+        <translation>gilt, wenn</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>oder</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>sunshine</source>
+        <translation>Sonnenschein</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>diagrams</source>
+        <translation>Pläne</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>Wahl</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Nicht geprüft</translation>
+    </message>
+    <message>
+        <source>How the rule is read</source>
+        <translation>Wie die Regel gelesen wird</translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>fan</source>
+        <translation>Fächer</translation>
+    </message>
+    <message>
+        <source>isochrones</source>
+        <translation>Isochronen</translation>
+    </message>
+    <message>
+        <source>view from the sun</source>
+        <translation>Ansicht von der Sonne aus</translation>
+    </message>
+    <message>
+        <source>hours</source>
+        <translation>Stunden</translation>
+    </message>
+    <message>
+        <source>, on full %1 min</source>
+        <translation>, auf volle %1 min</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source>%1: %2 for at least %3 %</source>
+        <translation>%1: %2 für mindestens %3 %</translation>
+    </message>
+    <message>
+        <source>area x %1 h a year</source>
+        <translation>Fläche x %1 h im Jahr</translation>
+    </message>
+    <message>
+        <source>Least certain of what the verdicts rest on: %1 (%2: %3).</source>
+        <translation>Am wenigsten sicher von dem, worauf die Befunde beruhen: %1 (%2: %3).</translation>
+    </message>
+    <message>
+        <source>%1: %2; now %3</source>
+        <translation>%1: %2; jetzt %3</translation>
+    </message>
+    <message>
+        <source>V: read in the rule&apos;s text or on an official page; R: reported by practice; U: not checked against the rule&apos;s text.</source>
+        <translation>V: im Text der Regel oder auf einer amtlichen Seite gelesen; R: aus der Praxis berichtet; U: nicht am Text der Regel geprüft.</translation>
+    </message>
+    <message>
+        <source>figures only</source>
+        <translation>nur Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 x former</source>
+        <translation>%1 x früher</translation>
+    </message>
+    <message>
+        <source>loss %1</source>
+        <translation>Verlust %1</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source> (former %1)</source>
+        <translation> (früher %1)</translation>
+    </message>
+    <message>
+        <source> on %1</source>
+        <translation> am %1</translation>
+    </message>
+    <message>
+        <source>, wanted %1</source>
+        <translation>, verlangt %1</translation>
+    </message>
+    <message>
+        <source>No sun in these hours</source>
+        <translation>Keine Sonne in diesen Stunden</translation>
+    </message>
+    <message>
+        <source>The rule states no limit for this place</source>
+        <translation>Die Regel nennt keine Grenze für diesen Ort</translation>
+    </message>
+    <message>
+        <source>read in the rule&apos;s text or on an official page</source>
+        <translation>im Text der Regel oder auf einer amtlichen Seite gelesen</translation>
+    </message>
+    <message>
+        <source>reported by practice</source>
+        <translation>aus der Praxis berichtet</translation>
+    </message>
+    <message>
+        <source>not checked against the rule&apos;s text</source>
+        <translation>nicht am Text der Regel geprüft</translation>
+    </message>
+    <message>
+        <source>none counted</source>
+        <translation>keine gezählt</translation>
+    </message>
+    <message>
+        <source>evergreen trees only</source>
+        <translation>nur immergrüne Bäume</translation>
+    </message>
+    <message>
+        <source>dense belts of evergreen trees only</source>
+        <translation>nur dichte Gürtel immergrüner Bäume</translation>
+    </message>
+    <message>
+        <source>all, as evergreens</source>
+        <translation>alle, als immergrün</translation>
+    </message>
+    <message>
+        <source>all, with their seasons</source>
+        <translation>alle, mit ihren Jahreszeiten</translation>
+    </message>
+    <message>
+        <source>existing trees with their seasons, and new evergreens</source>
+        <translation>vorhandene Bäume mit ihren Jahreszeiten und neue immergrüne</translation>
+    </message>
+    <message>
+        <source>sunrise</source>
+        <translation>Sonnenaufgang</translation>
+    </message>
+    <message>
+        <source>sunset</source>
+        <translation>Sonnenuntergang</translation>
+    </message>
+    <message>
+        <source>the latest of</source>
+        <translation>das späteste von</translation>
+    </message>
+    <message>
+        <source>the earliest of</source>
+        <translation>das früheste von</translation>
+    </message>
+    <message>
+        <source>Trees: %1</source>
+        <translation>Bäume: %1</translation>
+    </message>
+    <message>
+        <source>; the city has no trees</source>
+        <translation>; die Stadt hat keine Bäume</translation>
+    </message>
+    <message>
+        <source>; trees in the city: %1</source>
+        <translation>; Bäume in der Stadt: %1</translation>
+    </message>
+    <message>
+        <source>; trees that count: %1 of %2</source>
+        <translation>; Bäume, die zählen: %1 von %2</translation>
+    </message>
+    <message>
+        <source>The engine is the ray reference itself, against which others are measured.</source>
+        <translation>Das Verfahren ist die Strahlenreferenz selbst, gegen die andere gemessen werden.</translation>
+    </message>
+    <message>
+        <source>The engine&apos;s error against the ray reference was not measured: it was switched off.</source>
+        <translation>Der Fehler des Verfahrens gegen die Strahlenreferenz wurde nicht gemessen: er war abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The engine&apos;s error against the ray reference could not be measured: see the warnings.</source>
+        <translation>Der Fehler des Verfahrens gegen die Strahlenreferenz konnte nicht gemessen werden: siehe die Hinweise.</translation>
+    </message>
+    <message>
+        <source>Each run of minutes is uncertain by a step; each area by half of the cells that its edge passes through, at least by one; each area x hours by these and by half of what the area changes from step to step, where the days of a sum err independently of each other. </source>
+        <translation>Jede Dauer ist um einen Schritt unsicher; jede Fläche um die Hälfte der Zellen, durch die ihr Rand geht, mindestens um eine; jedes Produkt Fläche x Stunden um beides und um die Hälfte dessen, was sich die Fläche von Schritt zu Schritt ändert, wobei die Tage einer Summe unabhängig voneinander irren. </translation>
+    </message>
+    <message>
+        <source>Worst spots are the worst of the cells&apos; centres and of points around these, down to %1 m from each other; what the nearest found worse is in their error. </source>
+        <translation>Die schlechtesten Stellen sind die schlechtesten der Zellmitten und von Punkten darum herum, bis zu %1 m voneinander; um was der nächste schlechter war, steht in ihrem Fehler. </translation>
+    </message>
+    <message>
+        <source>Worst spots are the worst of the cells&apos; centres, and their error includes the cell. </source>
+        <translation>Die schlechtesten Stellen sind die schlechtesten der Zellmitten, und ihr Fehler schließt die Zelle ein. </translation>
+    </message>
+    <message>
+        <source>Shadow enters and exits up to a step (%1 min) earlier than stated, as each step has the sun of its beginning. </source>
+        <translation>Schatten tritt bis zu einem Schritt (%1 min) früher ein und aus als angegeben, da jeder Schritt die Sonne seines Anfangs hat. </translation>
+    </message>
+    <message>
+        <source>A value within its error of a limit is borderline, never pass.</source>
+        <translation>Ein Wert, der innerhalb seines Fehlers an einer Grenze liegt, ist grenzwertig, nie erfüllt.</translation>
     </message>
 </context>
 </TS>

@@ -2268,18 +2268,6 @@ Abre el panel Evaluación.</translation>
         </translation>
     </message>
     <message>
-        <source>Max shadow, min</source>
-        <translation>Sombra máxima, min</translation>
-    </message>
-    <message>
-        <source>Min shadow, min</source>
-        <translation>Sombra mínima, min</translation>
-    </message>
-    <message>
-        <source>Mean shadow, min</source>
-        <translation>Sombra media, min</translation>
-    </message>
-    <message>
         <source>%1: minutes of shadow</source>
         <translation>%1: minutos de sombra</translation>
     </message>
@@ -2804,6 +2792,1178 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>Australia</source>
         <translation>Australia</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>Día</translation>
+    </message>
+    <message>
+        <source>New shadow enters</source>
+        <translation>La sombra nueva entra</translation>
+    </message>
+    <message>
+        <source>New shadow exits</source>
+        <translation>La sombra nueva sale</translation>
+    </message>
+    <message>
+        <source>Duration, min</source>
+        <translation>Duración, min</translation>
+    </message>
+    <message>
+        <source>Largest area, m²</source>
+        <translation>Área máxima, m²</translation>
+    </message>
+    <message>
+        <source>At one spot, min</source>
+        <translation>En un punto, min</translation>
+    </message>
+    <message>
+        <source>Shadow of fences and other small structures</source>
+        <translation>Sombra de vallas y otras estructuras pequeñas</translation>
+    </message>
+    <message>
+        <source>The rule asks for diagrams and states no limit, so there are figures and no verdict.</source>
+        <translation>La norma pide diagramas y no fija ningún límite, así que hay valores y ningún veredicto.</translation>
+    </message>
+    <message>
+        <source>The equinoxes and solstices are the 21st of March, June, September and December.</source>
+        <translation>Los equinoccios y solsticios son el 21 de marzo, junio, septiembre y diciembre.</translation>
+    </message>
+    <message>
+        <source>Diagrams at 9, 12 and 15 h on the equinoxes and solstices, and at 18 h in summer and autumn.</source>
+        <translation>Diagramas a las 9, 12 y 15 h en los equinoccios y solsticios, y a las 18 h en verano y otoño.</translation>
+    </message>
+    <message>
+        <source>Minutes with new shadow anywhere outside the first and last hour</source>
+        <translation>Minutos con sombra nueva en cualquier punto fuera de la primera y la última hora</translation>
+    </message>
+    <message>
+        <source>Park</source>
+        <translation>Parque</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>Minutos</translation>
+    </message>
+    <message>
+        <source>Exemptions and shadow banks</source>
+        <translation>Exenciones y bancos de sombra</translation>
+    </message>
+    <message>
+        <source>Sunrise and sunset are those of the upper limb with refraction: the definition is not stated.</source>
+        <translation>La salida y la puesta del sol son las del borde superior con refracción: la definición no consta.</translation>
+    </message>
+    <message>
+        <source>New shadow is shadow on ground that is lit in the baseline.</source>
+        <translation>Sombra nueva es la sombra sobre suelo que tiene sol en la referencia.</translation>
+    </message>
+    <message>
+        <source>New shadow only in the first hour after sunrise or 7:00 (the later) and in the last hour before sunset.</source>
+        <translation>Sombra nueva solo en la primera hora tras la salida del sol o las 7:00 (lo más tarde) y en la última hora antes de la puesta.</translation>
+    </message>
+    <message>
+        <source>New shadow at the worst spot</source>
+        <translation>Sombra nueva en el peor punto</translation>
+    </message>
+    <message>
+        <source>At the worst spot, min</source>
+        <translation>En el peor punto, min</translation>
+    </message>
+    <message>
+        <source>Anywhere, min</source>
+        <translation>En cualquier punto, min</translation>
+    </message>
+    <message>
+        <source>Exemptions, and areas too small to count</source>
+        <translation>Exenciones, y áreas demasiado pequeñas para contar</translation>
+    </message>
+    <message>
+        <source>The two hours are those of the worst spot: the figures at hand do not say whether a spot or the whole park is meant. The table states both.</source>
+        <translation>Las dos horas son las del peor punto: los datos disponibles no dicen si se trata de un punto o de todo el parque. La tabla indica ambos.</translation>
+    </message>
+    <message>
+        <source>Less than 2 h of new shadow within 8:00-14:30, from 21 March to 21 October.</source>
+        <translation>Menos de 2 h de sombra nueva entre las 8:00 y las 14:30, del 21 de marzo al 21 de octubre.</translation>
+    </message>
+    <message>
+        <source>Share of the space with 2 h of sun</source>
+        <translation>Parte del espacio con 2 h de sol</translation>
+    </message>
+    <message>
+        <source>Amenity space</source>
+        <translation>Espacio de estancia</translation>
+    </message>
+    <message>
+        <source>Share with 2 h of sun</source>
+        <translation>Parte con 2 h de sol</translation>
+    </message>
+    <message>
+        <source>Least sun, min</source>
+        <translation>Mínimo de sol, min</translation>
+    </message>
+    <message>
+        <source>The windows&apos; part of BRE 209: annual probable sunlight hours, vertical sky component</source>
+        <translation>La parte de ventanas de BRE 209: horas de sol probables al año, componente vertical del cielo</translation>
+    </message>
+    <message>
+        <source>Shadow of fences</source>
+        <translation>Sombra de vallas</translation>
+    </message>
+    <message>
+        <source>The two hours may be broken up.</source>
+        <translation>Las dos horas pueden estar interrumpidas.</translation>
+    </message>
+    <message>
+        <source>A space that meets the limit by its former value is stated with its new share.</source>
+        <translation>Un espacio que cumple el límite por su valor anterior se indica con su nueva parte.</translation>
+    </message>
+    <message>
+        <source>As reported, of trees only dense belts of evergreens count for sun on the ground. A cell is in their shade where they take half of the sun or more.</source>
+        <translation>Según se informa, de los árboles solo cuentan los cinturones densos de perennes para el sol en el suelo. Una celda está en su sombra donde quitan la mitad del sol o más.</translation>
+    </message>
+    <message>
+        <source>At least 2 h of sun on 21 March over at least half of an amenity space, or else at least 0.8 times its former value.</source>
+        <translation>Al menos 2 h de sol el 21 de marzo en al menos la mitad de un espacio de estancia, o si no, al menos 0,8 veces su valor anterior.</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>cara</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>interior</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>exterior</translation>
+    </message>
+    <message>
+        <source>windows of</source>
+        <translation>ventanas de</translation>
+    </message>
+    <message>
+        <source>neighbours</source>
+        <translation>vecinos</translation>
+    </message>
+    <message>
+        <source>own scheme</source>
+        <translation>proyecto propio</translation>
+    </message>
+    <message>
+        <source>Annual probable sunlight hours</source>
+        <translation>Horas de sol probables al año</translation>
+    </message>
+    <message>
+        <source>Loss of annual probable sunlight hours</source>
+        <translation>Pérdida de horas de sol probables al año</translation>
+    </message>
+    <message>
+        <source>Vertical sky component</source>
+        <translation>Componente vertical del cielo</translation>
+    </message>
+    <message>
+        <source>Probable sunlight hours from 21 September to 21 March, of those of the year</source>
+        <translation>Horas de sol probables del 21 de septiembre al 21 de marzo, de las del año</translation>
+    </message>
+    <message>
+        <source>Sunlight is asked of windows that face within 90 degrees of due south</source>
+        <translation>Se exige sol a las ventanas orientadas a menos de 90 grados del sur</translation>
+    </message>
+    <message>
+        <source>No-sky line and daylight in rooms</source>
+        <translation>Línea sin cielo y luz diurna en las habitaciones</translation>
+    </message>
+    <message>
+        <source>Which rooms are living rooms: all windows are evaluated</source>
+        <translation>Qué habitaciones son salas de estar: se evalúan todas las ventanas</translation>
+    </message>
+    <message>
+        <source>Windows that face north are asked for the sky component only</source>
+        <translation>A las ventanas al norte solo se les exige la componente del cielo</translation>
+    </message>
+    <message>
+        <source>Shadow of fences and blinds</source>
+        <translation>Sombra de vallas y persianas</translation>
+    </message>
+    <message>
+        <source>A window&apos;s sunlight suffers if it misses a target of its own, falls below 0.8 times the former value in that period, and loses more than 4 points of the year: it holds if one of the three does not occur. Where an authority asks for both 0.8 times and a loss of at most 4 points, copy the rule and change holds_if.</source>
+        <translation>El sol de una ventana se ve afectado si no alcanza un objetivo propio, baja de 0,8 veces el valor anterior en ese periodo y pierde más de 4 puntos del año: se cumple si uno de los tres no ocurre. Donde una autoridad pida tanto 0,8 veces como una pérdida de 4 puntos como máximo, copie la norma y cambie holds_if.</translation>
+    </message>
+    <message>
+        <source>Without a table of sunshine probability every hour with the sun up counts alike, and shares are of plain possible hours. Add a table for the place as &quot;sunshine&quot; in a copy of the rule, or with --sunshine.</source>
+        <translation>Sin una tabla de probabilidad de sol, todas las horas con el sol sobre el horizonte cuentan igual, y las partes son de horas posibles. Añada una tabla del lugar como &quot;sunshine&quot; en una copia de la norma, o con --sunshine.</translation>
+    </message>
+    <message>
+        <source>Shares are of the hours of the unobstructed sun in a whole year, also those of winter.</source>
+        <translation>Las partes son de las horas de sol sin obstáculos de todo un año, también las del invierno.</translation>
+    </message>
+    <message>
+        <source>The point is in the middle of the pane on the outside face. With the choice of the inside face, the sun must also pass the opening in the wall.</source>
+        <translation>El punto está en el centro del vidrio, en la cara exterior. Si se elige la cara interior, el sol debe pasar también por el hueco del muro.</translation>
+    </message>
+    <message>
+        <source>As reported, deciduous trees are left out before neighbours&apos; windows, and evergreens count. With the choice of one&apos;s own scheme, existing trees count by their season, and of the proposed ones the evergreens.</source>
+        <translation>Según se informa, ante las ventanas de los vecinos se omiten los árboles caducos y cuentan los perennes. Si se elige el proyecto propio, los árboles existentes cuentan según su estación y, de los proyectados, los perennes.</translation>
+    </message>
+    <message>
+        <source>Sun through crowns counts by the share that they let pass; a run is broken where they take half of it or more. The vertical sky component has the mean of the days with leaves and without.</source>
+        <translation>El sol a través de las copas cuenta con la parte que dejan pasar; una duración se interrumpe donde quitan la mitad o más. La componente vertical del cielo es la media de los días con y sin hojas.</translation>
+    </message>
+    <message>
+        <source>Windows of neighbours: vertical sky component at least 27 %, annual probable sunlight hours at least 25 % with 5 % in winter, each or else 0.8 times the former value; a loss of sunlight of at most 4 points is never notable.</source>
+        <translation>Ventanas de los vecinos: componente vertical del cielo de al menos el 27 %, horas de sol probables al año de al menos el 25 % con un 5 % en invierno, cada una o si no 0,8 veces el valor anterior; una pérdida de sol de 4 puntos como máximo nunca es apreciable.</translation>
+    </message>
+    <message>
+        <source>Minutes in which all direct sun is eliminated</source>
+        <translation>Minutos en que desaparece todo el sol directo</translation>
+    </message>
+    <message>
+        <source>Sun for plants at the worst spot, growing season</source>
+        <translation>Sol para las plantas en el peor punto, época de crecimiento</translation>
+    </message>
+    <message>
+        <source>Resource</source>
+        <translation>Recurso</translation>
+    </message>
+    <message>
+        <source>Analysis day</source>
+        <translation>Día de análisis</translation>
+    </message>
+    <message>
+        <source>Incremental shadow enters</source>
+        <translation>La sombra añadida entra</translation>
+    </message>
+    <message>
+        <source>Incremental shadow exits</source>
+        <translation>La sombra añadida sale</translation>
+    </message>
+    <message>
+        <source>Duration, h:min</source>
+        <translation>Duración, h:min</translation>
+    </message>
+    <message>
+        <source>Longest at one spot, h:min</source>
+        <translation>Máximo en un punto, h:min</translation>
+    </message>
+    <message>
+        <source>All direct sun eliminated, min</source>
+        <translation>Todo el sol directo eliminado, min</translation>
+    </message>
+    <message>
+        <source>Trigger: 50 ft or more, or more than 10 ft next to a resource</source>
+        <translation>Umbral: 50 ft o más, o más de 10 ft junto a un recurso</translation>
+    </message>
+    <message>
+        <source>Longest shadow: 4.3 x height</source>
+        <translation>Sombra más larga: 4,3 x altura</translation>
+    </message>
+    <message>
+        <source>No shadow between 108 and 252 degrees from north</source>
+        <translation>Ninguna sombra entre 108 y 252 grados desde el norte</translation>
+    </message>
+    <message>
+        <source>Hours: from 1.5 h after sunrise to 1.5 h before sunset</source>
+        <translation>Horas: desde 1,5 h tras la salida del sol hasta 1,5 h antes de la puesta</translation>
+    </message>
+    <message>
+        <source>Growing season: April to October; a statement on it is asked for</source>
+        <translation>Época de crecimiento: abril a octubre; se pide una declaración al respecto</translation>
+    </message>
+    <message>
+        <source>All direct sun eliminated from a resource for more than 10 min is generally significant</source>
+        <translation>Quitar todo el sol directo de un recurso durante más de 10 min es en general significativo</translation>
+    </message>
+    <message>
+        <source>Plants need 4 to 6 h of sun</source>
+        <translation>Las plantas necesitan de 4 a 6 h de sol</translation>
+    </message>
+    <message>
+        <source>The trigger (height of the proposal) and whether the resource is sensitive to sunlight</source>
+        <translation>El umbral (altura de la propuesta) y si el recurso es sensible al sol</translation>
+    </message>
+    <message>
+        <source>Significance of incremental shadow that leaves some sun: the rule asks for a judgement</source>
+        <translation>Importancia de la sombra añadida que deja algo de sol: la norma pide un juicio</translation>
+    </message>
+    <message>
+        <source>Stained glass and facades are measured on the ground in front of them</source>
+        <translation>Las vidrieras y fachadas se miden en el suelo delante de ellas</translation>
+    </message>
+    <message>
+        <source>Landscaped medians with seats, unless they are places of the project</source>
+        <translation>Medianas ajardinadas con asientos, salvo que sean lugares del proyecto</translation>
+    </message>
+    <message>
+        <source>The duration is the time with incremental shadow anywhere on the resource, without breaks.</source>
+        <translation>La duración es el tiempo con sombra añadida en cualquier punto del recurso, sin interrupciones.</translation>
+    </message>
+    <message>
+        <source>Kinds that the rule does not name (playground, plaza, cemetery, other) are evaluated as open space. Streets are not.</source>
+        <translation>Los tipos que la norma no nombra (zona de juegos, plaza, cementerio, otros) se evalúan como espacio libre. Las calles no.</translation>
+    </message>
+    <message>
+        <source>The sun for plants is counted within the rule&apos;s hours and compared with the lower figure, 4 h; it does not decide the verdict.</source>
+        <translation>El sol para las plantas se cuenta en las horas de la norma y se compara con el valor menor, 4 h; no decide el veredicto.</translation>
+    </message>
+    <message>
+        <source>Incremental shadow of a proposal on sunlight-sensitive resources on four analysis days, against the No-Action scenario.</source>
+        <translation>Sombra añadida de una propuesta sobre recursos sensibles al sol en cuatro días de análisis, respecto al escenario sin actuación.</translation>
+    </message>
+    <message>
+        <source>counting</source>
+        <translation>recuento</translation>
+    </message>
+    <message>
+        <source>Beijing, runs from 5 min</source>
+        <translation>Pekín, tramos desde 5 min</translation>
+    </message>
+    <message>
+        <source>Hangzhou, two longest runs</source>
+        <translation>Hangzhou, los dos tramos más largos</translation>
+    </message>
+    <message>
+        <source>all runs</source>
+        <translation>todos los tramos</translation>
+    </message>
+    <message>
+        <source>day</source>
+        <translation>día</translation>
+    </message>
+    <message>
+        <source>Great Cold, 2 h</source>
+        <translation>Gran Frío, 2 h</translation>
+    </message>
+    <message>
+        <source>Great Cold, 3 h</source>
+        <translation>Gran Frío, 3 h</translation>
+    </message>
+    <message>
+        <source>winter solstice, 1 h</source>
+        <translation>solsticio de invierno, 1 h</translation>
+    </message>
+    <message>
+        <source>winter solstice</source>
+        <translation>solsticio de invierno</translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>ángulo con el vidrio</translation>
+    </message>
+    <message>
+        <source>15 degrees</source>
+        <translation>15 grados</translation>
+    </message>
+    <message>
+        <source>wall over width</source>
+        <translation>muro entre anchura</translation>
+    </message>
+    <message>
+        <source>Effective sun at both ends of the sill</source>
+        <translation>Sol efectivo en ambos extremos del alféizar</translation>
+    </message>
+    <message>
+        <source>Great Cold</source>
+        <translation>Gran Frío</translation>
+    </message>
+    <message>
+        <source>The sun counts from a sweep angle of 15 degrees, or arctan(thickness of the wall / width of the window)</source>
+        <translation>El sol cuenta desde un ángulo de 15 grados con el vidrio, o arctan(grosor del muro / anchura de la ventana)</translation>
+    </message>
+    <message>
+        <source>Beijing drops runs below 5 min; 30 min is also reported</source>
+        <translation>Pekín descarta tramos de menos de 5 min; también se mencionan 30 min</translation>
+    </message>
+    <message>
+        <source>Hangzhou sums the longest runs, steps of at most 5 min</source>
+        <translation>Hangzhou suma los tramos más largos, con pasos de 5 min como máximo</translation>
+    </message>
+    <message>
+        <source>Households: which windows belong to a household, and that one living room is enough</source>
+        <translation>Hogares: qué ventanas pertenecen a un hogar, y que basta una sala de estar</translation>
+    </message>
+    <message>
+        <source>The climate zone and size of the city, which choose the day</source>
+        <translation>La zona climática y el tamaño de la ciudad, que determinan el día</translation>
+    </message>
+    <message>
+        <source>The sun counts while both ends of the sill have it at once.</source>
+        <translation>El sol cuenta mientras ambos extremos del alféizar lo tienen a la vez.</translation>
+    </message>
+    <message>
+        <source>Windows of 1.5 m stand in where the file states no sizes.</source>
+        <translation>Se suponen ventanas de 1,5 m donde el archivo no indica el tamaño.</translation>
+    </message>
+    <message>
+        <source>Hangzhou: the two longest runs are summed; how many is not stated in what we have.</source>
+        <translation>Hangzhou: se suman los dos tramos más largos; lo disponible no dice cuántos.</translation>
+    </message>
+    <message>
+        <source>Homes: at least 2 h of sun on the Great Cold day from 8 to 16 h, or 1 h on the winter solstice from 9 to 15 h, true solar time, at both ends of the sill.</source>
+        <translation>Viviendas: al menos 2 h de sol el día del Gran Frío de 8 a 16 h, o 1 h en el solsticio de invierno de 9 a 15 h, hora solar verdadera, en ambos extremos del alféizar.</translation>
+    </message>
+    <message>
+        <source>country</source>
+        <translation>país</translation>
+    </message>
+    <message>
+        <source>Czech Republic, 13 deg</source>
+        <translation>República Checa, 13 grados</translation>
+    </message>
+    <message>
+        <source>Germany, 11 deg</source>
+        <translation>Alemania, 11 grados</translation>
+    </message>
+    <message>
+        <source>of choice</source>
+        <translation>a elección</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>el peor</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>nivel</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>alto</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>medio</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>mínimo</translation>
+    </message>
+    <message>
+        <source>Sun in the room</source>
+        <translation>Sol en la habitación</translation>
+    </message>
+    <message>
+        <source>Levels: 1.5 h minimum, 4 h high</source>
+        <translation>Niveles: 1,5 h mínimo, 4 h alto</translation>
+    </message>
+    <message>
+        <source>Level: 3 h medium</source>
+        <translation>Nivel: 3 h medio</translation>
+    </message>
+    <message>
+        <source>Which rooms are habitable, and that one room of a dwelling is enough</source>
+        <translation>Qué habitaciones son habitables, y que basta una de la vivienda</translation>
+    </message>
+    <message>
+        <source>Least altitudes of countries other than Germany and the Czech Republic: change lowest_sun_deg in a copy of the rule</source>
+        <translation>Alturas mínimas de países distintos de Alemania y la República Checa: cambie lowest_sun_deg en una copia de la norma</translation>
+    </message>
+    <message>
+        <source>Times through several openings of a room add up where they are not at the same moment: name the rooms in the file of windows (field room). Windows without a room are rooms of their own.</source>
+        <translation>Los tiempos por varios huecos de una habitación se suman donde no coinciden: indique las habitaciones en el archivo de ventanas (campo room). Las ventanas sin habitación son habitaciones propias.</translation>
+    </message>
+    <message>
+        <source>On the day of the user&apos;s choice: the best day of the range decides. The choice &quot;day=worst&quot; asks it of every day.</source>
+        <translation>En el día que se elija: decide el mejor día del periodo. La opción &quot;day=worst&quot; lo exige todos los días.</translation>
+    </message>
+    <message>
+        <source>Obstructions are looked up from the outside face; the opening, as deep as the wall, hides what the inside face does not see.</source>
+        <translation>Los obstáculos se buscan desde la cara exterior; el hueco, tan profundo como el muro, oculta lo que la cara interior no ve.</translation>
+    </message>
+    <message>
+        <source>The least altitude depends on the country. That of Germany is taken unless another country is chosen.</source>
+        <translation>La altura mínima depende del país. Se toma la de Alemania si no se elige otro.</translation>
+    </message>
+    <message>
+        <source>On one day between 1 February and 21 March at least 1.5 h of sun in one habitable room; 3 h medium, 4 h high.</source>
+        <translation>En un día entre el 1 de febrero y el 21 de marzo, al menos 1,5 h de sol en una habitación habitable; 3 h medio, 4 h alto.</translation>
+    </message>
+    <message>
+        <source>Longest unbroken sun</source>
+        <translation>Sol ininterrumpido más largo</translation>
+    </message>
+    <message>
+        <source>Sun of the day</source>
+        <translation>Sol del día</translation>
+    </message>
+    <message>
+        <source>3 h of unbroken sun, or 3.5 h with one break</source>
+        <translation>3 h de sol ininterrumpido, o 3,5 h con una interrupción</translation>
+    </message>
+    <message>
+        <source>Which rooms must have it</source>
+        <translation>Qué habitaciones deben tenerlo</translation>
+    </message>
+    <message>
+        <source>The worst day decides.</source>
+        <translation>Decide el peor día.</translation>
+    </message>
+    <message>
+        <source>With one break: the two longest parts of the day&apos;s sun add up to 3.5 h, whatever sun follows.</source>
+        <translation>Con una interrupción: las dos partes más largas del sol del día suman 3,5 h, sea cual sea el sol que siga.</translation>
+    </message>
+    <message>
+        <source>Every break counts, also one of a minute: the sun before and after it are two parts. The bands of the window state them.</source>
+        <translation>Toda interrupción cuenta, también la de un minuto: el sol de antes y de después son dos partes. Las bandas de la ventana las indican.</translation>
+    </message>
+    <message>
+        <source>From 22 April to 22 August at least 3 h of unbroken sun, or 3.5 h with one break; a loss of at most 50 %.</source>
+        <translation>Del 22 de abril al 22 de agosto, al menos 3 h de sol ininterrumpido, o 3,5 h con una interrupción; una pérdida del 50 % como máximo.</translation>
+    </message>
+    <message>
+        <source>The sheet has no limit, so there are figures and no verdict.</source>
+        <translation>La hoja no tiene límite, así que hay valores y ningún veredicto.</translation>
+    </message>
+    <message>
+        <source>The solstices and equinoxes are the 21st of March, June, September and December.</source>
+        <translation>Los solsticios y equinoccios son el 21 de marzo, junio, septiembre y diciembre.</translation>
+    </message>
+    <message>
+        <source>Diagrams at 9, 12 and 15 h on the solstices and equinoxes: the general sheet.</source>
+        <translation>Diagramas a las 9, 12 y 15 h en los solsticios y equinoccios: la hoja general.</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>límites</translation>
+    </message>
+    <message>
+        <source>3 h, 2 h</source>
+        <translation>3 h, 2 h</translation>
+    </message>
+    <message>
+        <source>4 h, 2.5 h</source>
+        <translation>4 h, 2,5 h</translation>
+    </message>
+    <message>
+        <source>5 h, 3 h</source>
+        <translation>5 h, 3 h</translation>
+    </message>
+    <message>
+        <source>Hokkaido 2 h, 1.5 h</source>
+        <translation>Hokkaido 2 h, 1,5 h</translation>
+    </message>
+    <message>
+        <source>Hokkaido 3 h, 2 h</source>
+        <translation>Hokkaido 3 h, 2 h</translation>
+    </message>
+    <message>
+        <source>Hokkaido 4 h, 2.5 h</source>
+        <translation>Hokkaido 4 h, 2,5 h</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>plano</translation>
+    </message>
+    <message>
+        <source>1.5 m</source>
+        <translation>1,5 m</translation>
+    </message>
+    <message>
+        <source>4 m</source>
+        <translation>4 m</translation>
+    </message>
+    <message>
+        <source>6.5 m</source>
+        <translation>6,5 m</translation>
+    </message>
+    <message>
+        <source>Shadow beyond 10 m of the parcel line</source>
+        <translation>Sombra a más de 10 m del límite de la parcela</translation>
+    </message>
+    <message>
+        <source>Shadow within 5 to 10 m of the parcel line</source>
+        <translation>Sombra de 5 a 10 m del límite de la parcela</translation>
+    </message>
+    <message>
+        <source>Parcel and belt</source>
+        <translation>Parcela y franja</translation>
+    </message>
+    <message>
+        <source>Longest shadow at a point, min</source>
+        <translation>Sombra máxima en un punto, min</translation>
+    </message>
+    <message>
+        <source>Shadow anywhere, min</source>
+        <translation>Sombra en cualquier punto, min</translation>
+    </message>
+    <message>
+        <source>True solar time 8 to 16 h; Hokkaido 9 to 15 h</source>
+        <translation>Hora solar verdadera de 8 a 16 h; Hokkaido de 9 a 15 h</translation>
+    </message>
+    <message>
+        <source>Plane 1.5, 4 or 6.5 m above the mean ground</source>
+        <translation>Plano a 1,5, 4 o 6,5 m sobre el suelo medio</translation>
+    </message>
+    <message>
+        <source>Limits within 5 to 10 m of the parcel line and beyond 10 m: 3 and 2 h, 4 and 2.5 h, 5 and 3 h; Hokkaido 2 and 1.5 h, 3 and 2 h, 4 and 2.5 h</source>
+        <translation>Límites de 5 a 10 m del límite de la parcela y a más de 10 m: 3 y 2 h, 4 y 2,5 h, 5 y 3 h; Hokkaido 2 y 1,5 h, 3 y 2 h, 4 y 2,5 h</translation>
+    </message>
+    <message>
+        <source>Triggers: eaves above 7 m or 3 storeys and more (plane of 1.5 m), above 10 m (planes of 4 and 6.5 m)</source>
+        <translation>Umbral: alero de más de 7 m o 3 plantas o más (plano de 1,5 m), de más de 10 m (planos de 4 y 6,5 m)</translation>
+    </message>
+    <message>
+        <source>The parcel line moves out by half the width of a road of at most 10 m, else to 5 m inside its far side</source>
+        <translation>El límite de la parcela avanza la mitad de la anchura de una calle de hasta 10 m, o si no hasta 5 m antes de su lado lejano</translation>
+    </message>
+    <message>
+        <source>Sheets: hourly (half-hourly) shadows, isochrones, 5 m and 10 m lines, designated points; island shadows must not be missed</source>
+        <translation>Hojas: sombras cada hora (media hora), isócronas, líneas de 5 m y 10 m, puntos designados; no deben pasarse por alto las sombras aisladas</translation>
+    </message>
+    <message>
+        <source>The triggers (eaves, storeys, zone): choose plane and limits</source>
+        <translation>Los umbrales (alero, plantas, zona): elija plano y límites</translation>
+    </message>
+    <message>
+        <source>Roads, water and railways along the parcels that the project does not state; edges set back more than 1 m are taken to be on none</source>
+        <translation>Calles, agua y vías junto a las parcelas que el proyecto no indica; los bordes retranqueados más de 1 m se consideran sin ninguna</translation>
+    </message>
+    <message>
+        <source>Designated points</source>
+        <translation>Puntos designados</translation>
+    </message>
+    <message>
+        <source>The winter solstice is 21 December.</source>
+        <translation>El solsticio de invierno es el 21 de diciembre.</translation>
+    </message>
+    <message>
+        <source>The places are the parcels; Noonmark measures the belts around them.</source>
+        <translation>Los lugares son las parcelas; Noonmark mide las franjas a su alrededor.</translation>
+    </message>
+    <message>
+        <source>The mean ground is the height 0 of the project&apos;s plane, unless the project has terrain.</source>
+        <translation>El suelo medio es la altura 0 del plano del proyecto, salvo que el proyecto tenga terreno.</translation>
+    </message>
+    <message>
+        <source>Shadow of the proposal on a plane above the mean ground on the winter solstice, between the 5 m and 10 m lines around the parcel and beyond them.</source>
+        <translation>Sombra de la propuesta en un plano sobre el suelo medio en el solsticio de invierno, entre las líneas de 5 m y 10 m alrededor de la parcela y más allá.</translation>
+    </message>
+    <message>
+        <source>Sun in total from 8 to 16 h</source>
+        <translation>Sol total de 8 a 16 h</translation>
+    </message>
+    <message>
+        <source>Unbroken sun from 9 to 15 h</source>
+        <translation>Sol ininterrumpido de 9 a 15 h</translation>
+    </message>
+    <message>
+        <source>Windows of schools and playgrounds within 200 m</source>
+        <translation>Ventanas de escuelas y zonas de juegos a menos de 200 m</translation>
+    </message>
+    <message>
+        <source>One of the two is enough.</source>
+        <translation>Basta una de las dos.</translation>
+    </message>
+    <message>
+        <source>On the winter solstice at least 4 h of sun in total from 8 to 16 h, or 2 h unbroken from 9 to 15 h.</source>
+        <translation>En el solsticio de invierno, al menos 4 h de sol en total de 8 a 16 h, o 2 h ininterrumpidas de 9 a 15 h.</translation>
+    </message>
+    <message>
+        <source>park type</source>
+        <translation>tipo de parque</translation>
+    </message>
+    <message>
+        <source>1 or 2</source>
+        <translation>1 o 2</translation>
+    </message>
+    <message>
+        <source>3</source>
+        <translation>3</translation>
+    </message>
+    <message>
+        <source>Minutes with added shadow anywhere</source>
+        <translation>Minutos con sombra adicional en cualquier punto</translation>
+    </message>
+    <message>
+        <source>Added shadow enters</source>
+        <translation>La sombra adicional entra</translation>
+    </message>
+    <message>
+        <source>Added shadow exits</source>
+        <translation>La sombra adicional sale</translation>
+    </message>
+    <message>
+        <source>No added shadow from 10 to 15 h on 21 June; type 3 from 10 to 14 h. As proposed</source>
+        <translation>Ninguna sombra adicional de 10 a 15 h el 21 de junio; tipo 3 de 10 a 14 h. Según la propuesta</translation>
+    </message>
+    <message>
+        <source>The type of the park: choose the option</source>
+        <translation>El tipo de parque: elija la opción</translation>
+    </message>
+    <message>
+        <source>The figures are those proposed, not those adopted.</source>
+        <translation>Los valores son los propuestos, no los aprobados.</translation>
+    </message>
+    <message>
+        <source>No added shadow on parks from 10 to 15 h on 21 June (type 3: to 14 h).</source>
+        <translation>Ninguna sombra adicional en parques de 10 a 15 h el 21 de junio (tipo 3: hasta las 14 h).</translation>
+    </message>
+    <message>
+        <source>Share of the park with 8 consecutive hours of sun</source>
+        <translation>Parte del parque con 8 horas de sol seguidas</translation>
+    </message>
+    <message>
+        <source>equinox</source>
+        <translation>equinoccio</translation>
+    </message>
+    <message>
+        <source>Share with 8 h of sun</source>
+        <translation>Parte con 8 h de sol</translation>
+    </message>
+    <message>
+        <source>The equinox is 21 March.</source>
+        <translation>El equinoccio es el 21 de marzo.</translation>
+    </message>
+    <message>
+        <source>Half of a park is half of its area.</source>
+        <translation>La mitad de un parque es la mitad de su área.</translation>
+    </message>
+    <message>
+        <source>On the equinox, 8 consecutive hours of sun within 8-18 h on at least half of a park.</source>
+        <translation>En el equinoccio, 8 horas de sol seguidas entre las 8 y las 18 h en al menos la mitad de un parque.</translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation>minutos</translation>
+    </message>
+    <message>
+        <source>150</source>
+        <translation>150</translation>
+    </message>
+    <message>
+        <source>90</source>
+        <translation>90</translation>
+    </message>
+    <message>
+        <source>Consecutive sun at the worst spot of the street</source>
+        <translation>Sol seguido en el peor punto de la calle</translation>
+    </message>
+    <message>
+        <source>Street</source>
+        <translation>Calle</translation>
+    </message>
+    <message>
+        <source>Least consecutive sun, min</source>
+        <translation>Mínimo de sol seguido, min</translation>
+    </message>
+    <message>
+        <source>150 (90) consecutive minutes of sun; the figures at hand do not say where 90 holds</source>
+        <translation>150 (90) minutos de sol seguidos; los datos disponibles no dicen dónde valen 90</translation>
+    </message>
+    <message>
+        <source>Whether a street runs east-west: choose the places</source>
+        <translation>Si una calle va de este a oeste: elija los lugares</translation>
+    </message>
+    <message>
+        <source>Where 90 minutes hold instead of 150: choose the option</source>
+        <translation>Dónde valen 90 minutos en vez de 150: elija la opción</translation>
+    </message>
+    <message>
+        <source>Every spot of the street must have the sun: the figures at hand do not say which line or share of a street counts.</source>
+        <translation>Todos los puntos de la calle deben tener el sol: los datos disponibles no dicen qué línea o parte de una calle cuenta.</translation>
+    </message>
+    <message>
+        <source>On the equinox, 150 consecutive minutes of sun within 12-15 h on east-west streets.</source>
+        <translation>En el equinoccio, 150 minutos de sol seguidos entre las 12 y las 15 h en calles de este a oeste.</translation>
+    </message>
+    <message>
+        <source>where</source>
+        <translation>dónde</translation>
+    </message>
+    <message>
+        <source>elsewhere, 3 h</source>
+        <translation>en otros lugares, 3 h</translation>
+    </message>
+    <message>
+        <source>metropolitan, 2 h</source>
+        <translation>metropolitana, 2 h</translation>
+    </message>
+    <message>
+        <source>Sun in the flat</source>
+        <translation>Sol en la vivienda</translation>
+    </message>
+    <message>
+        <source>Any sun in the flat</source>
+        <translation>Algo de sol en la vivienda</translation>
+    </message>
+    <message>
+        <source>1 m² for at least 15 min counts</source>
+        <translation>Cuenta 1 m² durante al menos 15 min</translation>
+    </message>
+    <message>
+        <source>That the sun is in living rooms and on balconies both</source>
+        <translation>Que el sol esté tanto en salas de estar como en balcones</translation>
+    </message>
+    <message>
+        <source>That 1 m² is lit</source>
+        <translation>Que 1 m² tenga sol</translation>
+    </message>
+    <message>
+        <source>Plan diagrams</source>
+        <translation>Diagramas en planta</translation>
+    </message>
+    <message>
+        <source>Times of less than 15 min do not count.</source>
+        <translation>Los tiempos de menos de 15 min no cuentan.</translation>
+    </message>
+    <message>
+        <source>A flat has the sun of all of its windows, where one of them has it: name the flats in the file of windows (field dwelling). Windows without one are flats of their own.</source>
+        <translation>Una vivienda tiene el sol de todas sus ventanas cuando una lo tiene: indique las viviendas en el archivo de ventanas (campo dwelling). Las ventanas sin ella son viviendas propias.</translation>
+    </message>
+    <message>
+        <source>A building passes by its shares; each flat has its own verdict besides.</source>
+        <translation>Un edificio cumple por sus partes; cada vivienda tiene además su propio veredicto.</translation>
+    </message>
+    <message>
+        <source>Flats with enough sun</source>
+        <translation>Viviendas con sol suficiente</translation>
+    </message>
+    <message>
+        <source>Flats with some sun</source>
+        <translation>Viviendas con algo de sol</translation>
+    </message>
+    <message>
+        <source>At least 70 % of the flats of a building have 2 h of sun from 9 to 15 h on 21 June in living rooms and on balconies (3 h outside the metropolis); at most 15 % have none.</source>
+        <translation>Al menos el 70 % de las viviendas de un edificio tienen 2 h de sol de 9 a 15 h el 21 de junio en salas de estar y balcones (3 h fuera de la metrópoli); como máximo el 15 % no tiene ninguno.</translation>
+    </message>
+    <message>
+        <source>All sun gone, min</source>
+        <translation>Todo el sol perdido, min</translation>
+    </message>
+    <message>
+        <source>One hour is an example, not a figure of any board.</source>
+        <translation>Una hora es un ejemplo, no un valor de ningún organismo.</translation>
+    </message>
+    <message>
+        <source>A start for a rule of your own: copy it, change it, and put it into your own folder of rules.</source>
+        <translation>Un comienzo para una norma propia: cópiela, cámbiela y póngala en su propia carpeta de normas.</translation>
+    </message>
+    <message>
+        <source>use</source>
+        <translation>uso</translation>
+    </message>
+    <message>
+        <source>homes</source>
+        <translation>viviendas</translation>
+    </message>
+    <message>
+        <source>homes in an inner city</source>
+        <translation>viviendas en un centro urbano</translation>
+    </message>
+    <message>
+        <source>schools</source>
+        <translation>escuelas</translation>
+    </message>
+    <message>
+        <source>That one room of a flat is enough: each room is evaluated by itself</source>
+        <translation>Que basta una habitación de la vivienda: cada habitación se evalúa por sí misma</translation>
+    </message>
+    <message>
+        <source>The sun may be broken up. Times through several openings of a room add up where they are not at the same moment: name the rooms in the file of windows (field room).</source>
+        <translation>El sol puede estar interrumpido. Los tiempos por varios huecos de una habitación se suman donde no coinciden: indique las habitaciones en el archivo de ventanas (campo room).</translation>
+    </message>
+    <message>
+        <source>At least 3 h of sun on the days of the equinoxes: homes from 7 to 17 h, schools from 8 to 16 h; 1.5 h in inner cities.</source>
+        <translation>Al menos 3 h de sol los días de los equinoccios: viviendas de 7 a 17 h, escuelas de 8 a 16 h; 1,5 h en centros urbanos.</translation>
+    </message>
+    <message>
+        <source>Share of the territory with 2 h of sun, or 2.5 h broken up</source>
+        <translation>Parte del terreno con 2 h de sol, o 2,5 h interrumpidas</translation>
+    </message>
+    <message>
+        <source>Territory</source>
+        <translation>Terreno</translation>
+    </message>
+    <message>
+        <source>Share with the sun</source>
+        <translation>Parte con el sol</translation>
+    </message>
+    <message>
+        <source>Least sun, h:min</source>
+        <translation>Mínimo de sol, h:min</translation>
+    </message>
+    <message>
+        <source>Intervals</source>
+        <translation>Intervalos</translation>
+    </message>
+    <message>
+        <source>2 h unbroken (by zone and number of rooms)</source>
+        <translation>2 h ininterrumpidas (según la zona y el número de habitaciones)</translation>
+    </message>
+    <message>
+        <source>Broken up: 0.5 h more, one part of at least 1 h</source>
+        <translation>Interrumpidas: 0,5 h más, una parte de al menos 1 h</translation>
+    </message>
+    <message>
+        <source>Output: h:min, number of intervals, share of territory</source>
+        <translation>Salida: h:min, número de intervalos, parte del terreno</translation>
+    </message>
+    <message>
+        <source>Rooms and windows</source>
+        <translation>Habitaciones y ventanas</translation>
+    </message>
+    <message>
+        <source>Other zones: change the days and hours in a rule of your own</source>
+        <translation>Otras zonas: cambie los días y horas en una norma propia</translation>
+    </message>
+    <message>
+        <source>Every break counts, also one of a single step of 5 min: the sun before and after it are two parts.</source>
+        <translation>Toda interrupción cuenta, también la de un solo paso de 5 min: el sol de antes y de después son dos partes.</translation>
+    </message>
+    <message>
+        <source>Every day of the range is evaluated; the smallest share counts.</source>
+        <translation>Se evalúan todos los días del periodo; cuenta la parte menor.</translation>
+    </message>
+    <message>
+        <source>The figures at hand state no share that a territory must reach, so there are figures and no verdict.</source>
+        <translation>Los datos disponibles no fijan la parte que debe alcanzar un terreno, así que hay valores y ningún veredicto.</translation>
+    </message>
+    <message>
+        <source>From 22 April to 22 August, the share of a territory with 2 h of unbroken sun, or 2.5 h broken up with one part of at least 1 h.</source>
+        <translation>Del 22 de abril al 22 de agosto, la parte de un terreno con 2 h de sol ininterrumpido, o 2,5 h interrumpidas con una parte de al menos 1 h.</translation>
+    </message>
+    <message>
+        <source>2 h of unbroken sun, or 2.5 h broken up</source>
+        <translation>2 h de sol ininterrumpido, o 2,5 h interrumpidas</translation>
+    </message>
+    <message>
+        <source>Output: h:min and number of intervals</source>
+        <translation>Salida: h:min y número de intervalos</translation>
+    </message>
+    <message>
+        <source>How many rooms of a flat must have it</source>
+        <translation>Cuántas habitaciones de una vivienda deben tenerlo</translation>
+    </message>
+    <message>
+        <source>Other zones: change the days in a copy of the rule</source>
+        <translation>Otras zonas: cambie los días en una copia de la norma</translation>
+    </message>
+    <message>
+        <source>From 22 April to 22 August at least 2 h of unbroken sun, or 2.5 h broken up with one part of at least 1 h.</source>
+        <translation>Del 22 de abril al 22 de agosto, al menos 2 h de sol ininterrumpido, o 2,5 h interrumpidas con una parte de al menos 1 h.</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>días</translation>
+    </message>
+    <message>
+        <source>every day</source>
+        <translation>todos los días</translation>
+    </message>
+    <message>
+        <source>mirrored half year</source>
+        <translation>medio año reflejado</translation>
+    </message>
+    <message>
+        <source>Net new shadow of the year</source>
+        <translation>Sombra nueva neta del año</translation>
+    </message>
+    <message>
+        <source>Existing shadow, sq ft h</source>
+        <translation>Sombra existente, sq ft h</translation>
+    </message>
+    <message>
+        <source>Shadow with project, sq ft h</source>
+        <translation>Sombra con proyecto, sq ft h</translation>
+    </message>
+    <message>
+        <source>Net new shadow, sq ft h</source>
+        <translation>Sombra nueva neta, sq ft h</translation>
+    </message>
+    <message>
+        <source>Share of the theoretical sum</source>
+        <translation>Parte de la suma teórica</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Largest area, sq ft</source>
+        <translation>Área máxima, sq ft</translation>
+    </message>
+    <message>
+        <source>Trigger: buildings of more than 40 ft</source>
+        <translation>Umbral: edificios de más de 40 ft</translation>
+    </message>
+    <message>
+        <source>Hours: from 1 h after sunrise to 1 h before sunset, every day of the year</source>
+        <translation>Horas: desde 1 h tras la salida del sol hasta 1 h antes de la puesta, todos los días del año</translation>
+    </message>
+    <message>
+        <source>Theoretical annual available sunlight: area x 3,721.4 h</source>
+        <translation>Sol anual teórico disponible: área x 3.721,4 h</translation>
+    </message>
+    <message>
+        <source>Own count of the same hours: 3,720.9</source>
+        <translation>Recuento propio de las mismas horas: 3.720,9</translation>
+    </message>
+    <message>
+        <source>Samples of 15 min, mirrored half year</source>
+        <translation>Muestras cada 15 min, medio año reflejado</translation>
+    </message>
+    <message>
+        <source>Absolute limits of single parks and qualitative criteria</source>
+        <translation>Límites absolutos de parques concretos y criterios cualitativos</translation>
+    </message>
+    <message>
+        <source>Cumulative projects: run the rule again with a scenario that holds them</source>
+        <translation>Proyectos acumulados: evalúe la norma de nuevo con un escenario que los contenga</translation>
+    </message>
+    <message>
+        <source>Opening hours of the park</source>
+        <translation>Horario de apertura del parque</translation>
+    </message>
+    <message>
+        <source>The trigger (height of the proposal)</source>
+        <translation>El umbral (altura de la propuesta)</translation>
+    </message>
+    <message>
+        <source>The figures at hand state no numeric limit, so there are figures and no verdict.</source>
+        <translation>Los datos disponibles no fijan ningún límite numérico, así que hay valores y ningún veredicto.</translation>
+    </message>
+    <message>
+        <source>Shadow on a park over a whole year in square-foot-hours, as a share of the theoretical annual available sunlight.</source>
+        <translation>Sombra sobre un parque durante todo un año en pies cuadrados-hora, como parte del sol anual teórico disponible.</translation>
+    </message>
+    <message>
+        <source>Possible sun</source>
+        <translation>Sol posible</translation>
+    </message>
+    <message>
+        <source>What the rule allows where the norm is missed already</source>
+        <translation>Lo que la norma permite donde ya no se cumple</translation>
+    </message>
+    <message>
+        <source>The days and hours are those of the light norm of TNO; the point is on the facade, 0.75 m above the floor.</source>
+        <translation>Los días y horas son los de la norma ligera de TNO; el punto está en la fachada, a 0,75 m del piso.</translation>
+    </message>
+    <message>
+        <source>The sun may be broken up; the worst day decides.</source>
+        <translation>El sol puede estar interrumpido; decide el peor día.</translation>
+    </message>
+    <message>
+        <source>At least 2 h of possible sun on every day from 19 February to 21 October on the facade, with the sun above 10 degrees.</source>
+        <translation>Al menos 2 h de sol posible todos los días del 19 de febrero al 21 de octubre en la fachada, con el sol por encima de 10 grados.</translation>
+    </message>
+    <message>
+        <source>The middle of the sill, inside the glass, usually 0.75 m above the floor</source>
+        <translation>El centro del alféizar, por dentro del vidrio, normalmente a 0,75 m del piso</translation>
+    </message>
+    <message>
+        <source>Which facade is that of the living room</source>
+        <translation>Qué fachada es la de la sala de estar</translation>
+    </message>
+    <message>
+        <source>The glass is taken 0.1 m behind the face of the wall (opening.wall_m), and the edges of that opening hide the sun.</source>
+        <translation>El vidrio se toma 0,1 m detrás de la cara del muro (opening.wall_m), y los bordes de ese hueco ocultan el sol.</translation>
+    </message>
+    <message>
+        <source>At least 2 h of possible sun on every day from 19 February to 21 October, in the middle of the sill.</source>
+        <translation>Al menos 2 h de sol posible todos los días del 19 de febrero al 21 de octubre, en el centro del alféizar.</translation>
+    </message>
+    <message>
+        <source>At least 3 h of possible sun on every day from 21 January to 22 November, in the middle of the sill.</source>
+        <translation>Al menos 3 h de sol posible todos los días del 21 de enero al 22 de noviembre, en el centro del alféizar.</translation>
+    </message>
+    <message>
+        <source>Hourly from 9:18 to 18:18 (local mean noon)</source>
+        <translation>Cada hora de 9:18 a 18:18 (mediodía medio local)</translation>
+    </message>
+    <message>
+        <source>Diagrams on 21 March, June and September</source>
+        <translation>Diagramas el 21 de marzo, junio y septiembre</translation>
+    </message>
+    <message>
+        <source>Diagrams on 21 December</source>
+        <translation>Diagramas el 21 de diciembre</translation>
+    </message>
+    <message>
+        <source>On 21 December the hours are those of the wall clock too.</source>
+        <translation>El 21 de diciembre las horas son también las del reloj.</translation>
+    </message>
+    <message>
+        <source>Hourly diagrams from 9:18 to 18:18 on 21 March, June and September.</source>
+        <translation>Diagramas cada hora de 9:18 a 18:18 el 21 de marzo, junio y septiembre.</translation>
+    </message>
+    <message>
+        <source>The figures at hand state no limit, so there are figures and no verdict.</source>
+        <translation>Los datos disponibles no fijan ningún límite, así que hay valores y ningún veredicto.</translation>
+    </message>
+    <message>
+        <source>The equinoxes are 21 March and 21 September.</source>
+        <translation>Los equinoccios son el 21 de marzo y el 21 de septiembre.</translation>
+    </message>
+    <message>
+        <source>Shadow on parks and schoolyards within 10-16 h daylight time, from the spring to the autumn equinox.</source>
+        <translation>Sombra sobre parques y patios escolares de 10 a 16 h, hora de verano, del equinoccio de primavera al de otoño.</translation>
+    </message>
+    <message>
+        <source>Area with more than 3 h of shadow, and more than by the body within the zoning</source>
+        <translation>Área con más de 3 h de sombra, y más que por el cuerpo permitido</translation>
+    </message>
+    <message>
+        <source>Shadow at the worst spot</source>
+        <translation>Sombra en el peor punto</translation>
+    </message>
+    <message>
+        <source>mean winter day</source>
+        <translation>día medio de invierno</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Vivienda</translation>
+    </message>
+    <message>
+        <source>Area with more than 3 h and more than before, m²</source>
+        <translation>Área con más de 3 h y más que antes, m²</translation>
+    </message>
+    <message>
+        <source>Shadow at the worst spot, min</source>
+        <translation>Sombra en el peor punto, min</translation>
+    </message>
+    <message>
+        <source>Trigger: buildings of more than 25 m</source>
+        <translation>Umbral: edificios de más de 25 m</translation>
+    </message>
+    <message>
+        <source>Passes where a body within the zoning shades as much</source>
+        <translation>Se cumple donde un cuerpo permitido da la misma sombra</translation>
+    </message>
+    <message>
+        <source>Facades of the homes: their ground is measured</source>
+        <translation>Fachadas de las viviendas: se mide el suelo ante ellas</translation>
+    </message>
+    <message>
+        <source>Whether the scenario &apos;from&apos; is a body within the zoning</source>
+        <translation>Si el escenario &apos;from&apos; es un cuerpo permitido</translation>
+    </message>
+    <message>
+        <source>The scenario &apos;from&apos; holds the body within the zoning, or nothing on the site.</source>
+        <translation>El escenario &apos;from&apos; contiene el cuerpo permitido, o nada en la parcela.</translation>
+    </message>
+    <message>
+        <source>Shadow is counted minute by minute from 8 to 17 h; the diagrams show it by the hour.</source>
+        <translation>La sombra se cuenta minuto a minuto de 8 a 17 h; los diagramas la muestran cada hora.</translation>
+    </message>
+    <message>
+        <source>Each spot is compared with itself: it may have more than 3 h of shadow where the body within the zoning gives it as much. A spot within a minute of 3 h, for each time that shadow comes, is borderline.</source>
+        <translation>Cada punto se compara consigo mismo: puede tener más de 3 h de sombra donde el cuerpo permitido le da la misma. Un punto a menos de un minuto de 3 h, por cada vez que llega la sombra, está en el límite.</translation>
+    </message>
+    <message>
+        <source>The shadow that the hill casts without any building is not the tower&apos;s: it is not counted.</source>
+        <translation>La sombra que la colina da sin ningún edificio no es de la torre: no se cuenta.</translation>
+    </message>
+    <message>
+        <source>Buildings of more than 25 m: at most 3 h of shadow on neighbours&apos; homes on 3 November and 8 February, or no more than a body within the zoning.</source>
+        <translation>Edificios de más de 25 m: como máximo 3 h de sombra sobre las viviendas vecinas el 3 de noviembre y el 8 de febrero, o no más que un cuerpo permitido.</translation>
     </message>
 </context>
 <context>
@@ -5777,6 +6937,1674 @@ Abre el panel Evaluación.</translation>
         <source>Any country</source>
         <translation>Cualquier país</translation>
     </message>
+    <message>
+        <source>Source of height</source>
+        <translation>Origen de la altura</translation>
+    </message>
+    <message>
+        <source>of the highest part of each building; counts are of the whole city</source>
+        <translation>de la parte más alta de cada edificio; los recuentos son de toda la ciudad</translation>
+    </message>
+    <message>
+        <source>Where the heights come from</source>
+        <translation>De dónde vienen las alturas</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Magnitud</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>Definitions</source>
+        <translation>Definiciones</translation>
+    </message>
+    <message>
+        <source>Method and sources</source>
+        <translation>Método y fuentes</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Cifras</translation>
+    </message>
+    <message>
+        <source>Scenarios side by side</source>
+        <translation>Escenarios lado a lado</translation>
+    </message>
+    <message>
+        <source>%1 on one scale.</source>
+        <translation>%1 en una misma escala.</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Edificio</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2.</source>
+        <translation>Los primeros %1 de %2.</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> min al día</translation>
+    </message>
+    <message>
+        <source>Contributions</source>
+        <translation>Contribuciones</translation>
+    </message>
+    <message>
+        <source>Sole contribution of each new building: against the scenario without it</source>
+        <translation>Contribución exclusiva de cada edificio nuevo: respecto al escenario sin él</translation>
+    </message>
+    <message>
+        <source>Months</source>
+        <translation>Meses</translation>
+    </message>
+    <message>
+        <source> by month</source>
+        <translation> por mes</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Pesos</translation>
+    </message>
+    <message>
+        <source>shadow of the proposal alone</source>
+        <translation>sombra de la propuesta sola</translation>
+    </message>
+    <message>
+        <source>hours of shadow</source>
+        <translation>horas de sombra</translation>
+    </message>
+    <message>
+        <source>limit of the rule</source>
+        <translation>límite de la norma</translation>
+    </message>
+    <message>
+        <source>distance from the parcel</source>
+        <translation>distancia a la parcela</translation>
+    </message>
+    <message>
+        <source>existing shadow</source>
+        <translation>sombra existente</translation>
+    </message>
+    <message>
+        <source>incremental shadow</source>
+        <translation>sombra añadida</translation>
+    </message>
+    <message>
+        <source>sun gained</source>
+        <translation>sol ganado</translation>
+    </message>
+    <message>
+        <source>proposal</source>
+        <translation>propuesta</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>eliminado</translation>
+    </message>
+    <message>
+        <source>building</source>
+        <translation>edificio</translation>
+    </message>
+    <message>
+        <source>open below</source>
+        <translation>abierto por debajo</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>lugar</translation>
+    </message>
+    <message>
+        <source>Heights in %1 above the ground.</source>
+        <translation>Alturas en %1 sobre el suelo.</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>ft</translation>
+    </message>
+    <message>
+        <source> Numbers in a white field name the places above.</source>
+        <translation> Los números en un campo blanco designan los lugares de arriba.</translation>
+    </message>
+    <message>
+        <source> White lines: streets of the project.</source>
+        <translation> Líneas blancas: calles del proyecto.</translation>
+    </message>
+    <message>
+        <source> Pale colours: streets, water and parks of the map.</source>
+        <translation> Colores pálidos: calles, agua y parques del mapa.</translation>
+    </message>
+    <message>
+        <source>on %1</source>
+        <translation>en %1</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>no cumple</translation>
+    </message>
+    <message>
+        <source>verdict gets worse</source>
+        <translation>el veredicto empeora</translation>
+    </message>
+    <message>
+        <source>verdict gets better</source>
+        <translation>el veredicto mejora</translation>
+    </message>
+    <message>
+        <source>north</source>
+        <translation>norte</translation>
+    </message>
+    <message>
+        <source>north-east</source>
+        <translation>noreste</translation>
+    </message>
+    <message>
+        <source>east</source>
+        <translation>este</translation>
+    </message>
+    <message>
+        <source>south-east</source>
+        <translation>sureste</translation>
+    </message>
+    <message>
+        <source>south</source>
+        <translation>sur</translation>
+    </message>
+    <message>
+        <source>south-west</source>
+        <translation>suroeste</translation>
+    </message>
+    <message>
+        <source>west</source>
+        <translation>oeste</translation>
+    </message>
+    <message>
+        <source>north-west</source>
+        <translation>noroeste</translation>
+    </message>
+    <message>
+        <source>Floors of %1 m</source>
+        <translation>Plantas de %1 m</translation>
+    </message>
+    <message>
+        <source>, of designed towers as designed</source>
+        <translation>, en las torres diseñadas como se diseñaron</translation>
+    </message>
+    <message>
+        <source>continued</source>
+        <translation>continuación</translation>
+    </message>
+    <message>
+        <source>Language of sheets</source>
+        <translation>Idioma de las hojas</translation>
+    </message>
+    <message>
+        <source>Language of the texts, numbers and dates of sheets: en, de, es or ja (default: that of the window, English on the command line). Files for programs are the same in every language</source>
+        <translation>Idioma de los textos, números y fechas de las hojas: en, de, es o ja (por defecto: el de la ventana; inglés en la línea de órdenes). Los archivos para programas son iguales en todos los idiomas</translation>
+    </message>
+    <message>
+        <source>Timelines of places</source>
+        <translation>Cronologías de los lugares</translation>
+    </message>
+    <message>
+        <source>Shadows are on a horizontal plane %1 m above the mean ground. </source>
+        <translation>Las sombras están en un plano horizontal a %1 m sobre el suelo medio. </translation>
+    </message>
+    <message>
+        <source>place: </source>
+        <translation>lugar: </translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> o </translation>
+    </message>
+    <message>
+        <source>Times: %1.</source>
+        <translation>Horas: %1.</translation>
+    </message>
+    <message>
+        <source> Edges of shadows follow cells of %1 m, because the ground is not level.</source>
+        <translation> Los bordes de las sombras siguen celdas de %1 m, porque el suelo no es llano.</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2. %3North is up.</source>
+        <translation>%1 comparado con %2. %3El norte está arriba.</translation>
+    </message>
+    <message>
+        <source>Shadow diagrams</source>
+        <translation>Diagramas de sombras</translation>
+    </message>
+    <message>
+        <source>Shadow fans</source>
+        <translation>Abanicos de sombra</translation>
+    </message>
+    <message>
+        <source>All shadows of a day that the proposal would cast if it stood alone, %1. %2North is up.</source>
+        <translation>Todas las sombras de un día que daría la propuesta si estuviera sola, %1. %2El norte está arriba.</translation>
+    </message>
+    <message>
+        <source>, %1 to %2</source>
+        <translation>, %1 a %2</translation>
+    </message>
+    <message>
+        <source>1:%1. Existing buildings do not hide these shadows</source>
+        <translation>1:%1. Los edificios existentes no ocultan estas sombras</translation>
+    </message>
+    <message>
+        <source>Lines of equal hours of shadow</source>
+        <translation>Líneas de igual duración de sombra</translation>
+    </message>
+    <message>
+        <source>%1. Thick: limits of the rule. Dashed: distances from the parcel. North is up.</source>
+        <translation>%1. Grueso: límites de la norma. Discontinuo: distancias a la parcela. El norte está arriba.</translation>
+    </message>
+    <message>
+        <source>Views from the sun</source>
+        <translation>Vistas desde el sol</translation>
+    </message>
+    <message>
+        <source>%1, without perspective, as the sun sees it: what is visible is sunlit, what is hidden is in shadow. The proposal is violet, places are green.</source>
+        <translation>%1, sin perspectiva, como lo ve el sol: lo visible está al sol, lo oculto en sombra. La propuesta es violeta, los lugares verdes.</translation>
+    </message>
+    <message>
+        <source>%1 pass, %2 borderline, %3 fail, %4 not applicable</source>
+        <translation>%1 cumplen, %2 en el límite, %3 no cumplen, %4 no aplicables</translation>
+    </message>
+    <message>
+        <source>%1 before: %2.</source>
+        <translation>%1 antes: %2.</translation>
+    </message>
+    <message>
+        <source>%1 after: %2.</source>
+        <translation>%1 después: %2.</translation>
+    </message>
+    <message>
+        <source>%1 whose verdict gets worse: %2; better: %3.</source>
+        <translation>%1 cuyo veredicto empeora: %2; mejora: %3.</translation>
+    </message>
+    <message>
+        <source>Summary</source>
+        <translation>Resumen</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Ventanas</translation>
+    </message>
+    <message>
+        <source>Buildings</source>
+        <translation>Edificios</translation>
+    </message>
+    <message>
+        <source>Proposal: %1. Baseline: %2.</source>
+        <translation>Propuesta: %1. Referencia: %2.</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>No comprobado</translation>
+    </message>
+    <message>
+        <source>Fail before</source>
+        <translation>No cumplen antes</translation>
+    </message>
+    <message>
+        <source>Fail after</source>
+        <translation>No cumplen después</translation>
+    </message>
+    <message>
+        <source>Worse</source>
+        <translation>Peor</translation>
+    </message>
+    <message>
+        <source>Verdict before</source>
+        <translation>Veredicto antes</translation>
+    </message>
+    <message>
+        <source>Verdict after</source>
+        <translation>Veredicto después</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Planta</translation>
+    </message>
+    <message>
+        <source>Faces, deg</source>
+        <translation>Orientación, grados</translation>
+    </message>
+    <message>
+        <source>%1, before</source>
+        <translation>%1, antes</translation>
+    </message>
+    <message>
+        <source>%1, after</source>
+        <translation>%1, después</translation>
+    </message>
+    <message>
+        <source>Sun before</source>
+        <translation>Sol antes</translation>
+    </message>
+    <message>
+        <source>Sun after</source>
+        <translation>Sol después</translation>
+    </message>
+    <message>
+        <source>%1, clock: %2. Minutes, or percent where stated</source>
+        <translation>%1, hora: %2. Minutos, o porcentaje donde se indica</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Método</translation>
+    </message>
+    <message>
+        <source>Engine: %1. Clock: %2, year %3; %4 steps of %5 min with the sun in the rule&apos;s hours.</source>
+        <translation>Motor: %1. Hora: %2, año %3; %4 pasos de %5 min con el sol en las horas de la norma.</translation>
+    </message>
+    <message>
+        <source>Each run of minutes is uncertain by a step, a sky component by %1 %. A value within its error of a limit is borderline, never pass.</source>
+        <translation>Cada duración es incierta en un paso; una componente del cielo, en un %1 %. Un valor que dista de un límite menos que su error está en el límite, nunca cumple.</translation>
+    </message>
+    <message>
+        <source>The rule, as it was read</source>
+        <translation>La norma, tal como se leyó</translation>
+    </message>
+    <message>
+        <source>Review of windows: </source>
+        <translation>Revisión de ventanas: </translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tablas</translation>
+    </message>
+    <message>
+        <source>Windows at no building</source>
+        <translation>Ventanas en ningún edificio</translation>
+    </message>
+    <message>
+        <source>The building is new or changed</source>
+        <translation>El edificio es nuevo o ha cambiado</translation>
+    </message>
+    <message>
+        <source>No former values</source>
+        <translation>Sin valores anteriores</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambio</translation>
+    </message>
+    <message>
+        <source>, scale locked</source>
+        <translation>, escala fija</translation>
+    </message>
+    <message>
+        <source>Elevations: </source>
+        <translation>Alzados: </translation>
+    </message>
+    <message>
+        <source>%1 and %2. %3. Colours beyond the ends of a scale are those of its ends.</source>
+        <translation>%1 y %2. %3. Los colores más allá de los extremos de una escala son los de sus extremos.</translation>
+    </message>
+    <message>
+        <source>Grey: no value. Seen square to the wall, from outside.</source>
+        <translation>Gris: sin valor. Visto perpendicularmente a la pared, desde fuera.</translation>
+    </message>
+    <message>
+        <source>Sun: azimuth %1°, altitude %2°</source>
+        <translation>Sol: acimut %1°, altura %2°</translation>
+    </message>
+    <message>
+        <source>Without perspective, as the sun sees it: what is visible is sunlit, what is hidden is in shadow. New and changed buildings are violet. Clock: %1.</source>
+        <translation>Sin perspectiva, como lo ve el sol: lo visible está al sol, lo oculto en sombra. Los edificios nuevos y modificados son violetas. Hora: %1.</translation>
+    </message>
+    <message>
+        <source>on a plane %1 m above the mean ground</source>
+        <translation>en un plano a %1 m sobre el suelo medio</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>en el suelo</translation>
+    </message>
+    <message>
+        <source>Hours of shadow in the rule&apos;s hours, %1, on cells of %2 m</source>
+        <translation>Horas de sombra en las horas de la norma, %1, en celdas de %2 m</translation>
+    </message>
+    <message>
+        <source>Shadow review: </source>
+        <translation>Revisión de sombras: </translation>
+    </message>
+    <message>
+        <source>Engine: %1. Receivers: centres of the square cells of %2 m that the places touch, each weighed by its share of the place, not under a building of baseline or proposal.</source>
+        <translation>Motor: %1. Receptores: centros de las celdas cuadradas de %2 m que tocan los lugares, cada una ponderada por su parte del lugar, no bajo un edificio de la referencia o de la propuesta.</translation>
+    </message>
+    <message>
+        <source>Time: %1, %2 of %3 min with the sun in the rule&apos;s hours. Clock: %4.</source>
+        <translation>Tiempo: %1, %2 de %3 min con el sol en las horas de la norma. Hora: %4.</translation>
+    </message>
+    <message>
+        <source>Sun: ERFA, topocentric, seen from %1; apparent altitude, with refraction.</source>
+        <translation>Sol: ERFA, topocéntrico, visto desde %1; altura aparente, con refracción.</translation>
+    </message>
+    <message>
+        <source>Frame: metres to the east and true north of %1 (WGS84).</source>
+        <translation>Sistema: metros hacia el este y el norte verdadero desde %1 (WGS84).</translation>
+    </message>
+    <message>
+        <source>Incremental shadow lies on what is sunlit in the baseline; sun gained is the reverse.</source>
+        <translation>La sombra añadida cae sobre lo que tiene sol en la referencia; el sol ganado es lo contrario.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>The outlines in diagrams are exact unions of projected buildings where the ground is level; the figures come from the cells.</source>
+        <translation>Los contornos de los diagramas son uniones exactas de edificios proyectados donde el suelo es llano; los valores salen de las celdas.</translation>
+    </message>
+    <message>
+        <source>Not modelled</source>
+        <translation>No modelado</translation>
+    </message>
+    <message>
+        <source>Small structures and penumbra; the sun is a point at the centre of its disc.</source>
+        <translation>Estructuras pequeñas y penumbra; el sol es un punto en el centro de su disco.</translation>
+    </message>
+    <message>
+        <source>. Diagrams show the shadows of buildings and terrain.</source>
+        <translation>. Los diagramas muestran las sombras de edificios y terreno.</translation>
+    </message>
+    <message>
+        <source> without a name</source>
+        <translation> sin nombre</translation>
+    </message>
+    <message>
+        <source>   ... further numbers: see the summary</source>
+        <translation>   ... más números: véase el resumen</translation>
+    </message>
+    <message>
+        <source>Of %1 places %2 are listed one by one; the numbers are those of the diagrams. Places of less than %3 without a name are listed together. Timelines are of places that fail or are borderline. review.csv has all places; the option --all-pages prints them.</source>
+        <translation>De %1 lugares se listan %2 uno por uno; los números son los de los diagramas. Los lugares de menos de %3 sin nombre se listan juntos. Las cronologías son de lugares que no cumplen o están en el límite. review.csv tiene todos los lugares; la opción --all-pages los imprime.</translation>
+    </message>
+    <message>
+        <source>Clock: %1, year %2. Engine: %3, every %4 min, cells of %5 m. %6.</source>
+        <translation>Hora: %1, año %2. Motor: %3, cada %4 min, celdas de %5 m. %6.</translation>
+    </message>
+    <message>
+        <source>Figures only: the sun is not up at the rule&apos;s times, so no diagram is drawn.</source>
+        <translation>Solo valores: el sol no está sobre el horizonte a las horas de la norma, así que no se dibuja ningún diagrama.</translation>
+    </message>
+    <message>
+        <source>Places without new shadow</source>
+        <translation>Lugares sin sombra nueva</translation>
+    </message>
+    <message>
+        <source>%1 further places with names</source>
+        <translation>%1 lugares más con nombre</translation>
+    </message>
+    <message>
+        <source>%1 without a name</source>
+        <translation>%1 sin nombre</translation>
+    </message>
+    <message>
+        <source>Nothing is stated as unchecked.</source>
+        <translation>No consta nada sin comprobar.</translation>
+    </message>
+    <message>
+        <source>Sums over the days of the rule</source>
+        <translation>Sumas de los días de la norma</translation>
+    </message>
+    <message>
+        <source>%1: existing shadow %2 of the theoretical sun; incremental %3; most on %4.</source>
+        <translation>%1: sombra existente %2 del sol teórico; añadida %3; máxima el %4.</translation>
+    </message>
+    <message>
+        <source>no day</source>
+        <translation>ningún día</translation>
+    </message>
+    <message>
+        <source>the most incremental shadow on %1 (%2) at one moment</source>
+        <translation>la mayor sombra añadida sobre %1 (%2) en un momento</translation>
+    </message>
+    <message>
+        <source>Numbers in a white field: places of the table.</source>
+        <translation>Números en un campo blanco: lugares de la tabla.</translation>
+    </message>
+    <message>
+        <source>Verdicts</source>
+        <translation>Dictámenes</translation>
+    </message>
+    <message>
+        <source>Verdicts, continued</source>
+        <translation>Veredictos, continuación</translation>
+    </message>
+    <message>
+        <source>Rule used in: %1. Site: %2.</source>
+        <translation>Regla usada en: %1. Lugar: %2.</translation>
+    </message>
+    <message>
+        <source>. %1 days without incremental shadow are in review.csv only</source>
+        <translation>. %1 días sin sombra añadida están solo en review.csv</translation>
+    </message>
+    <message>
+        <source>. Of each month the day of most incremental shadow; %1 further days are in review.csv, and here with the option --all-pages</source>
+        <translation>. De cada mes el día de mayor sombra adicional; %1 días más están en review.csv, y aquí con la opción --all-pages</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places; review.csv has all</source>
+        <translation>%1 de %2 lugares; review.csv los tiene todos</translation>
+    </message>
+    <message>
+        <source>Table of the rule</source>
+        <translation>Tabla de la norma</translation>
+    </message>
+    <message>
+        <source>%1, clock: %2%3</source>
+        <translation>%1, hora: %2%3</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>Criterio</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Medido</translation>
+    </message>
+    <message>
+        <source>Former</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Límite</translation>
+    </message>
+    <message>
+        <source>Deciding day</source>
+        <translation>Día decisivo</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source> (does not decide)</source>
+        <translation> (no decide)</translation>
+    </message>
+    <message>
+        <source>Former: the same in the baseline, where a limit compares with it</source>
+        <translation>Anterior: lo mismo en la referencia, donde un límite se compara con ello</translation>
+    </message>
+    <message>
+        <source>Criteria: the figures behind the verdicts</source>
+        <translation>Criterios: los valores tras los veredictos</translation>
+    </message>
+    <message>
+        <source>Theoretical sun</source>
+        <translation>Sol teórico</translation>
+    </message>
+    <message>
+        <source>Existing shadow</source>
+        <translation>Sombra existente</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>parte</translation>
+    </message>
+    <message>
+        <source>With proposal</source>
+        <translation>Con propuesta</translation>
+    </message>
+    <message>
+        <source>Days with incremental shadow</source>
+        <translation>Días con sombra añadida</translation>
+    </message>
+    <message>
+        <source>Day of most</source>
+        <translation>Día de la máxima</translation>
+    </message>
+    <message>
+        <source>Duration on it</source>
+        <translation>Duración en él</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Sums</source>
+        <translation>Sumas</translation>
+    </message>
+    <message>
+        <source>Over the days of the rule; shares of the theoretical sun</source>
+        <translation>De los días de la norma; partes del sol teórico</translation>
+    </message>
+    <message>
+        <source>Days with shadow</source>
+        <translation>Días con sombra</translation>
+    </message>
+    <message>
+        <source>Enters at the earliest</source>
+        <translation>Entra lo más pronto</translation>
+    </message>
+    <message>
+        <source>Exits at the latest</source>
+        <translation>Sale lo más tarde</translation>
+    </message>
+    <message>
+        <source>Longest on a day</source>
+        <translation>Máximo en un día</translation>
+    </message>
+    <message>
+        <source>Largest area</source>
+        <translation>Área máxima</translation>
+    </message>
+    <message>
+        <source>Incremental shadow by season</source>
+        <translation>Sombra añadida por estación</translation>
+    </message>
+    <message>
+        <source>Seasons without incremental shadow are left out. Clock: %1</source>
+        <translation>Se omiten las estaciones sin sombra añadida. Hora: %1</translation>
+    </message>
+    <message>
+        <source>New building</source>
+        <translation>Edificio nuevo</translation>
+    </message>
+    <message>
+        <source>share of the theoretical sun</source>
+        <translation>parte del sol teórico</translation>
+    </message>
+    <message>
+        <source>of the proposal&apos;s shadow</source>
+        <translation>de la sombra de la propuesta</translation>
+    </message>
+    <message>
+        <source>Sole contributions of the new buildings</source>
+        <translation>Contribuciones exclusivas de los edificios nuevos</translation>
+    </message>
+    <message>
+        <source>What each casts where the baseline and all others of the proposal leave the sun, over the days of the rule; shadow that two of them share is in neither row</source>
+        <translation>Lo que cada uno proyecta donde la referencia y los demás de la propuesta dejan el sol, en los días de la norma; la sombra que dos comparten no está en ninguna fila</translation>
+    </message>
+    <message>
+        <source>Points at no building</source>
+        <translation>Puntos en ningún edificio</translation>
+    </message>
+    <message>
+        <source>Elevations</source>
+        <translation>Alzados</translation>
+    </message>
+    <message>
+        <source>, mean over the days</source>
+        <translation>, media de los días</translation>
+    </message>
+    <message>
+        <source>Seen square to the wall, from outside.</source>
+        <translation>Visto perpendicularmente a la pared, desde fuera.</translation>
+    </message>
+    <message>
+        <source>Points on %1. %2.</source>
+        <translation>Puntos en %1. %2.</translation>
+    </message>
+    <message>
+        <source>Rays at every step of the sun.</source>
+        <translation>Rayos en cada posición del sol.</translation>
+    </message>
+    <message>
+        <source>Horizons of the points, in bins of a quarter of a degree.</source>
+        <translation>Horizontes de los puntos, en intervalos de un cuarto de grado.</translation>
+    </message>
+    <message>
+        <source>Chosen since %1.</source>
+        <translation>Elegido porque %1.</translation>
+    </message>
+    <message>
+        <source>Error against rays: %1.</source>
+        <translation>Error frente a los rayos: %1.</translation>
+    </message>
+    <message>
+        <source>Hours of sun on %1</source>
+        <translation>Horas de sol en %1</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Fuentes</translation>
+    </message>
+    <message>
+        <source>building %1</source>
+        <translation>edificio %1</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Terreno</translation>
+    </message>
+    <message>
+        <source>Contributions of buildings</source>
+        <translation>Contribuciones de los edificios</translation>
+    </message>
+    <message>
+        <source>%1 and the buildings that make most of the shadow</source>
+        <translation>%1 y los edificios que dan más sombra</translation>
+    </message>
+    <message>
+        <source>Numbers as in the table; buildings outside of the map are not shown</source>
+        <translation>Números como en la tabla; los edificios fuera del mapa no se muestran</translation>
+    </message>
+    <message>
+        <source>Largest contributions</source>
+        <translation>Mayores contribuciones</translation>
+    </message>
+    <message>
+        <source>Area x hours in shadow, by building</source>
+        <translation>Área x horas en sombra, por edificio</translation>
+    </message>
+    <message>
+        <source>Numbers as in the table</source>
+        <translation>Números como en la tabla</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N.º</translation>
+    </message>
+    <message>
+        <source>Share of all shadow</source>
+        <translation>Parte de toda la sombra</translation>
+    </message>
+    <message>
+        <source>Other buildings: %1</source>
+        <translation>Otros edificios: %1</translation>
+    </message>
+    <message>
+        <source>All shadow</source>
+        <translation>Toda la sombra</translation>
+    </message>
+    <message>
+        <source>Attributed: %1. Sole: %2. Area x hours over the whole period. Engine: %3. Rows below 0.1 % are added up; contributions.csv lists each.</source>
+        <translation>Atribuida: %1. Exclusiva: %2. Área x horas de todo el periodo. Motor: %3. Las filas por debajo del 0,1 % están sumadas; contributions.csv las lista todas.</translation>
+    </message>
+    <message>
+        <source>By building</source>
+        <translation>Por edificio</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Árbol</translation>
+    </message>
+    <message>
+        <source>Contributions of trees</source>
+        <translation>Contribuciones de los árboles</translation>
+    </message>
+    <message>
+        <source>What trees take of the sun that buildings leave, %1. The first %2 of %3; tree_contributions.csv lists each.</source>
+        <translation>Lo que los árboles toman del sol que dejan los edificios, %1. Los primeros %2 de %3; tree_contributions.csv los lista todos.</translation>
+    </message>
+    <message>
+        <source>By tree</source>
+        <translation>Por árbol</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Conclusión</translation>
+    </message>
+    <message>
+        <source>How this was made</source>
+        <translation>Cómo se obtuvo</translation>
+    </message>
+    <message>
+        <source>Cells of %1 m; places with fewer than %2 of them have cells of %3 m. Cells on the edge of a place count with the share of them that lies in it.</source>
+        <translation>Celdas de %1 m; los lugares con menos de %2 tienen celdas de %3 m. Las celdas del borde de un lugar cuentan con la parte que queda dentro.</translation>
+    </message>
+    <message>
+        <source>Without any shadow there would be %1 h of sun a day.</source>
+        <translation>Sin ninguna sombra habría %1 h de sol al día.</translation>
+    </message>
+    <message>
+        <source>Also measured with %1.</source>
+        <translation>Medido también con %1.</translation>
+    </message>
+    <message>
+        <source>Trees: %1.</source>
+        <translation>Árboles: %1.</translation>
+    </message>
+    <message>
+        <source>Error of cells: %1. The error of each figure is in the table at the end.</source>
+        <translation>Error de las celdas: %1. El error de cada magnitud está en la tabla del final.</translation>
+    </message>
+    <message>
+        <source>The baseline is %1. Ground that is built on in any scenario counts in none.</source>
+        <translation>La referencia es %1. El suelo que se edifica en algún escenario no cuenta en ninguno.</translation>
+    </message>
+    <message>
+        <source>minutes of shadow</source>
+        <translation>minutos de sombra</translation>
+    </message>
+    <message>
+        <source>hours of sun</source>
+        <translation>horas de sol</translation>
+    </message>
+    <message>
+        <source>Shadow by place</source>
+        <translation>Sombra por lugar</translation>
+    </message>
+    <message>
+        <source> a day</source>
+        <translation> al día</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 el %2</translation>
+    </message>
+    <message>
+        <source>Change of sun by place: </source>
+        <translation>Cambio del sol por lugar: </translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>minutos de sol al día</translation>
+    </message>
+    <message>
+        <source> on this day</source>
+        <translation> en este día</translation>
+    </message>
+    <message>
+        <source>mean %1 a day</source>
+        <translation>media de %1 al día</translation>
+    </message>
+    <message>
+        <source>   Further places: table, %1 and on.</source>
+        <translation>   Más lugares: tabla, desde %1.</translation>
+    </message>
+    <message>
+        <source>Places by their %1</source>
+        <translation>Lugares según %1</translation>
+    </message>
+    <message>
+        <source>Numbers as in the key and the table; a number that would cover another one is left out. Outlines without colour: places without figures.</source>
+        <translation>Números como en la clave y la tabla; se omite el número que taparía otro. Contornos sin color: lugares sin valores.</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow by place</source>
+        <translation>Minutos de sombra por lugar</translation>
+    </message>
+    <message>
+        <source>Hours of sun by place</source>
+        <translation>Horas de sol por lugar</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>Cambio del sol por lugar</translation>
+    </message>
+    <message>
+        <source>change of mean sun a day against %1, minutes</source>
+        <translation>cambio del sol medio al día respecto a %1, minutos</translation>
+    </message>
+    <message>
+        <source>, min</source>
+        <translation>, min</translation>
+    </message>
+    <message>
+        <source>%1, %2, min</source>
+        <translation>%1, %2, min</translation>
+    </message>
+    <message>
+        <source>Change of mean shadow, min</source>
+        <translation>Cambio de la sombra media, min</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Below, %1</source>
+        <translation>Por debajo, %1</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Observaciones</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Lugares</translation>
+    </message>
+    <message>
+        <source>with least sun</source>
+        <translation>con menos sol</translation>
+    </message>
+    <message>
+        <source>that lose most to the first scenario</source>
+        <translation>que más pierden con el primer escenario</translation>
+    </message>
+    <message>
+        <source>All %1, those %2 first.</source>
+        <translation>Los %1, primero los %2.</translation>
+    </message>
+    <message>
+        <source>The %1 of %2 %3; all of them are in places.csv.</source>
+        <translation>Los %1 de %2 %3; todos están en places.csv.</translation>
+    </message>
+    <message>
+        <source> The figures are those of %1; changes are from %2.</source>
+        <translation> Los valores son los de %1; los cambios, respecto a %2.</translation>
+    </message>
+    <message>
+        <source>Errors against the ray reference, on a sample</source>
+        <translation>Errores frente a la referencia de rayos, en una muestra</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>99 of 100 within</source>
+        <translation>99 de 100 dentro de</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>Not measured.</source>
+        <translation>No medido.</translation>
+    </message>
+    <message>
+        <source>No month has a day that counts</source>
+        <translation>Ningún mes tiene un día que cuente</translation>
+    </message>
+    <message>
+        <source>100 % of the place</source>
+        <translation>100 % del lugar</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>no contada</translation>
+    </message>
+    <message>
+        <source>The sun is not up in the hours of the rule</source>
+        <translation>El sol no está sobre el horizonte en las horas de la norma</translation>
+    </message>
+    <message>
+        <source>%1   not counted</source>
+        <translation>%1   no contado</translation>
+    </message>
+    <message>
+        <source>the scenario&apos;s shadow</source>
+        <translation>la sombra del escenario</translation>
+    </message>
+    <message>
+        <source>the baseline&apos;s shadow</source>
+        <translation>la sombra de la referencia</translation>
+    </message>
+    <message>
+        <source>%1   %2 % of the place in %3</source>
+        <translation>%1   %2 % del lugar en %3</translation>
+    </message>
+    <message>
+        <source>sq ft</source>
+        <translation>ft²</translation>
+    </message>
+    <message>
+        <source>Sun gained</source>
+        <translation>Sol ganado</translation>
+    </message>
+    <message>
+        <source>The sun is not up in the rule&apos;s hours, or the place has no open ground</source>
+        <translation>El sol no está sobre el horizonte en las horas de la norma, o el lugar no tiene suelo libre</translation>
+    </message>
+    <message>
+        <source>%1   incremental %2; scenario %3; baseline %4</source>
+        <translation>%1   añadida %2; escenario %3; referencia %4</translation>
+    </message>
+    <message>
+        <source>; sun gained %1</source>
+        <translation>; sol ganado %1</translation>
+    </message>
+    <message>
+        <source>Incremental shadow on the edge of the place alone, beside all centres of cells</source>
+        <translation>Sombra añadida solo en el borde del lugar, fuera de todos los centros de celda</translation>
+    </message>
+    <message>
+        <source>No incremental shadow in the rule&apos;s hours</source>
+        <translation>Sin sombra añadida en las horas de la norma</translation>
+    </message>
+    <message>
+        <source> (up to %1 min too late)</source>
+        <translation> (hasta %1 min demasiado tarde)</translation>
+    </message>
+    <message>
+        <source>Incremental shadow from %1 to %2%6; at most %3, %4 % of the place, at %5</source>
+        <translation>Sombra añadida de %1 a %2%6; como máximo %3, %4 % del lugar, a las %5</translation>
+    </message>
+    <message>
+        <source>less shadow</source>
+        <translation>menos sombra</translation>
+    </message>
+    <message>
+        <source>in the sun</source>
+        <translation>al sol</translation>
+    </message>
+    <message>
+        <source>more shadow</source>
+        <translation>más sombra</translation>
+    </message>
+    <message>
+        <source>in shadow</source>
+        <translation>en sombra</translation>
+    </message>
+    <message>
+        <source>violet: proposed</source>
+        <translation>violeta: propuesta</translation>
+    </message>
+    <message>
+        <source>orange: only in the baseline</source>
+        <translation>naranja: solo en la referencia</translation>
+    </message>
+    <message>
+        <source>orange: demolished</source>
+        <translation>naranja: derribado</translation>
+    </message>
+    <message>
+        <source>dashed: open below</source>
+        <translation>discontinuo: abierto por debajo</translation>
+    </message>
+    <message>
+        <source>dark line: region</source>
+        <translation>línea oscura: zona</translation>
+    </message>
+    <message>
+        <source> mi</source>
+        <translation> mi</translation>
+    </message>
+    <message>
+        <source> ft</source>
+        <translation> ft</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Cambios</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Escenarios</translation>
+    </message>
+    <message>
+        <source>%1 Change: from %2, on the receivers of both. Engine: %3.</source>
+        <translation>%1 Cambio: desde %2, en los receptores de ambos. Motor: %3.</translation>
+    </message>
+    <message>
+        <source>The same study of each scenario</source>
+        <translation>El mismo estudio de cada escenario</translation>
+    </message>
+    <message>
+        <source>%1 high</source>
+        <translation>de %1 de altura</translation>
+    </message>
+    <message>
+        <source>floor area %1</source>
+        <translation>superficie construida %1</translation>
+    </message>
+    <message>
+        <source>no new building with known floors</source>
+        <translation>ningún edificio nuevo con plantas conocidas</translation>
+    </message>
+    <message>
+        <source>, on one scale</source>
+        <translation>, en una misma escala</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 scenarios; scenario_months.csv has all</source>
+        <translation>Los primeros %1 de %2 escenarios; scenario_months.csv los tiene todos</translation>
+    </message>
+    <message>
+        <source>%1: %2. Buildings and ground: SHA-256 %3.</source>
+        <translation>%1: %2. Edificios y suelo: SHA-256 %3.</translation>
+    </message>
+    <message>
+        <source>no changes</source>
+        <translation>sin cambios</translation>
+    </message>
+    <message>
+        <source>Colours: %1 in %2; continuous shadow in %3.</source>
+        <translation>Colores: %1 en %2; sombra continua en %3.</translation>
+    </message>
+    <message>
+        <source>sun</source>
+        <translation>sol</translation>
+    </message>
+    <message>
+        <source>gross shadow</source>
+        <translation>sombra total</translation>
+    </message>
+    <message>
+        <source>Change: minutes in %1 minus minutes in %2, with the same engine, steps and cells; positive means more %3. %4</source>
+        <translation>Cambio: minutos en %1 menos minutos en %2, con el mismo motor, pasos y celdas; positivo significa más %3. %4</translation>
+    </message>
+    <message>
+        <source>shadow</source>
+        <translation>sombra</translation>
+    </message>
+    <message>
+        <source>%1: %2 with more than %3 min a day of additional gross shadow</source>
+        <translation>%1: %2 con más de %3 min al día de sombra total adicional</translation>
+    </message>
+    <message>
+        <source>This is the error of the change, compared with the change by the ray reference.</source>
+        <translation>Este es el error del cambio, comparado con el cambio según la referencia de rayos.</translation>
+    </message>
+    <message>
+        <source>%1, %2 m high</source>
+        <translation>%1, %2 m de alto</translation>
+    </message>
+    <message>
+        <source>Further new buildings</source>
+        <translation>Otros edificios nuevos</translation>
+    </message>
+    <message>
+        <source>sun above the horizon for %1 min a day</source>
+        <translation>sol sobre el horizonte %1 min al día</translation>
+    </message>
+    <message>
+        <source> Positive means that wanted shade outweighs unwanted shadow. The figures of the months add up to the total.</source>
+        <translation> Positivo significa que la sombra deseada supera a la no deseada. Los valores de los meses suman el total.</translation>
+    </message>
+    <message>
+        <source>Engine: %1.</source>
+        <translation>Motor: %1.</translation>
+    </message>
+    <message>
+        <source>Receivers: centres of square cells of %1 m on %2, inside the region.</source>
+        <translation>Receptores: centros de celdas cuadradas de %1 m en %2, dentro de la zona.</translation>
+    </message>
+    <message>
+        <source>Weights: %1</source>
+        <translation>Pesos: %1</translation>
+    </message>
+    <message>
+        <source>Shadow score of %1</source>
+        <translation>Puntuación de sombra de %1</translation>
+    </message>
+    <message>
+        <source> At each step a ray is traced from each receiver to the centre of the sun; the receiver is in shadow if a building or the terrain blocks the ray.</source>
+        <translation> En cada paso se traza un rayo de cada receptor al centro del sol; el receptor está en sombra si un edificio o el terreno lo interrumpe.</translation>
+    </message>
+    <message>
+        <source>the terrain</source>
+        <translation>el terreno</translation>
+    </message>
+    <message>
+        <source>flat ground</source>
+        <translation>suelo llano</translation>
+    </message>
+    <message>
+        <source>Receivers: centres of square cells of %1 m on %2, inside the region and not under a building.</source>
+        <translation>Receptores: centros de celdas cuadradas de %1 m en %2, dentro de la zona y no bajo un edificio.</translation>
+    </message>
+    <message>
+        <source>Terrain: %1.</source>
+        <translation>Terreno: %1.</translation>
+    </message>
+    <message>
+        <source>; a single day is up to %1 min too long or too short</source>
+        <translation>; un solo día es hasta %1 min demasiado largo o corto</translation>
+    </message>
+    <message>
+        <source> The requested step was %1 min; its length was adjusted so that whole steps fill the hours of each day and the period has the exact number of minutes%2.</source>
+        <translation> El paso pedido era de %1 min; se ajustó para que pasos enteros llenen las horas de cada día y el periodo tenga el número exacto de minutos%2.</translation>
+    </message>
+    <message>
+        <source>Time: %1 steps of %2 min used; %3 left out because the sun was below the horizon (night is not shadow). Shares of time refer to the time with the sun above the horizon.%4</source>
+        <translation>Tiempo: %1 pasos de %2 min usados; %3 omitidos porque el sol estaba bajo el horizonte (la noche no es sombra). Las partes del tiempo se refieren al tiempo con el sol sobre el horizonte.%4</translation>
+    </message>
+    <message>
+        <source>geometric altitude, without refraction</source>
+        <translation>altura geométrica, sin refracción</translation>
+    </message>
+    <message>
+        <source>apparent altitude, with refraction at %1 hPa and %2 °C</source>
+        <translation>altura aparente, con refracción a %1 hPa y %2 °C</translation>
+    </message>
+    <message>
+        <source> At %1 steps the sun is just above the horizon but below the plane of the geometry; they are computed with the sun in that plane.</source>
+        <translation> En %1 pasos el sol está justo sobre el horizonte, pero bajo el plano de la geometría; se calculan con el sol en ese plano.</translation>
+    </message>
+    <message>
+        <source> In the frame of the geometry true north is rotated by %1° there and the vertical by %2°; at the farthest corner of the region the vertical differs by up to %3° (%4 s of the sun&apos;s motion).%5</source>
+        <translation> En el sistema de la geometría el norte verdadero está girado allí %1° y la vertical %2°; en la esquina más lejana de la zona la vertical difiere hasta %3° (%4 s del movimiento del sol).%5</translation>
+    </message>
+    <message>
+        <source>Sun: ERFA, topocentric, seen from the centre of the region (%1, %2 m); %3. Civil time of %4 from the tz database.%5</source>
+        <translation>Sol: ERFA, topocéntrico, visto desde el centro de la zona (%1, %2 m); %3. Hora civil de %4 según la base de datos tz.%5</translation>
+    </message>
+    <message>
+        <source>Frame: metres to the east and true north of %1 (WGS84), the CRS of shadow.tif: %2</source>
+        <translation>Sistema: metros hacia el este y el norte verdadero desde %1 (WGS84), el CRS de shadow.tif: %2</translation>
+    </message>
+    <message>
+        <source>%1 % in the mean, %2 % at the 99th percentile, %3 % (%4 min) at the worst receiver (%5)</source>
+        <translation>%1 % de media, %2 % en el percentil 99, %3 % (%4 min) en el peor receptor (%5)</translation>
+    </message>
+    <message>
+        <source>; continuous shadow by %1, of the longest day</source>
+        <translation>; sombra continua en %1, del día más largo</translation>
+    </message>
+    <message>
+        <source>Measured on %1 of the %2 receivers, spread over the region and traced again by the ray reference over the same %3 steps: shadow area off by %4 % of the ground (standard error %5); gross shadow by %6, of the sunlit time%7.</source>
+        <translation>Medido en %1 de los %2 receptores, repartidos por la zona y trazados de nuevo con la referencia de rayos en los mismos %3 pasos: el área de sombra difiere un %4 % del suelo (error estándar %5); la sombra total en %6, del tiempo con sol%7.</translation>
+    </message>
+    <message>
+        <source>All other engines are measured against the ray reference: for the city as modelled, one exact test decides each receiver and step. Changes between sun and shadow are resolved to one step (%1 min), edges of shadows to one cell (%2 m).</source>
+        <translation>Los demás motores se miden frente a la referencia de rayos: para la ciudad modelada, una prueba exacta decide cada receptor y paso. Los cambios entre sol y sombra se resuelven a un paso (%1 min) y los bordes de las sombras a una celda (%2 m).</translation>
+    </message>
+    <message>
+        <source>Limits of the model: roofs are flat unless the data contains their shape; %1; the sun is a point, whereas its real disc of 0.53° blurs a shadow&apos;s edge by about 1 m per 100 m of distance from the occluder. An error in height moves the end of a shadow by error / tan(altitude of the sun): see the sources of the heights.</source>
+        <translation>Límites del modelo: las cubiertas son planas salvo que los datos contengan su forma; %1; el sol es un punto, mientras que su disco real de 0,53° difumina el borde de la sombra cerca de 1 m por cada 100 m de distancia al obstáculo. Un error de altura desplaza el extremo de la sombra en error / tan(altura del sol): véase el origen de las alturas.</translation>
+    </message>
+    <message>
+        <source>trees count only in figures that name them, street furniture in none</source>
+        <translation>los árboles cuentan solo en los valores que los nombran, el mobiliario urbano en ninguno</translation>
+    </message>
+    <message>
+        <source>trees and street furniture are not included</source>
+        <translation>no se incluyen árboles ni mobiliario urbano</translation>
+    </message>
+    <message>
+        <source> Shares: of the receivers&apos; area and of the sunlit time.</source>
+        <translation> Partes: del área de los receptores y del tiempo con sol.</translation>
+    </message>
+    <message>
+        <source>Continuous shadow was not counted.</source>
+        <translation>La sombra continua no se contó.</translation>
+    </message>
+    <message>
+        <source>Error against the ray reference, on a sample</source>
+        <translation>Error frente a la referencia de rayos, en una muestra</translation>
+    </message>
+    <message>
+        <source>, scenario </source>
+        <translation>, escenario </translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Datos de entrada</translation>
+    </message>
+    <message>
+        <source>and %1 more: see the JSON file</source>
+        <translation>y %1 más: véase el archivo JSON</translation>
+    </message>
+    <message>
+        <source>No file: the city was not read from a file.</source>
+        <translation>Ningún archivo: la ciudad no se leyó de un archivo.</translation>
+    </message>
+    <message>
+        <source>%1: %2, the city without edits.</source>
+        <translation>%1: %2, la ciudad sin cambios.</translation>
+    </message>
+    <message>
+        <source>The project has not been saved yet.</source>
+        <translation>El proyecto aún no se ha guardado.</translation>
+    </message>
+    <message>
+        <source>%1, which does not contain the latest changes.</source>
+        <translation>%1, que no contiene los últimos cambios.</translation>
+    </message>
+    <message>
+        <source>%1, SHA-256 of the file:</source>
+        <translation>%1, SHA-256 del archivo:</translation>
+    </message>
+    <message>
+        <source>Project and scenario</source>
+        <translation>Proyecto y escenario</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the content behind the result (defined in the JSON file):</source>
+        <translation>SHA-256 del contenido en que se basa el resultado (definido en el archivo JSON):</translation>
+    </message>
+    <message>
+        <source>an unknown number of m</source>
+        <translation>un número desconocido de m</translation>
+    </message>
+    <message>
+        <source>from levels × %1</source>
+        <translation>de plantas × %1</translation>
+    </message>
+    <message>
+        <source>missing in the data and replaced by a default (%1 for a whole building)</source>
+        <translation>faltan en los datos y se sustituyen por un valor por defecto (%1 para un edificio entero)</translation>
+    </message>
+    <message>
+        <source>from three-dimensional data</source>
+        <translation>de datos tridimensionales</translation>
+    </message>
+    <message>
+        <source>designed: given by the scenario</source>
+        <translation>diseñadas: dadas por el escenario</translation>
+    </message>
+    <message>
+        <source>made up: a sample of no real place</source>
+        <translation>inventadas: una muestra de ningún lugar real</translation>
+    </message>
+    <message>
+        <source>%1 in %2. Heights of the parts: %3.</source>
+        <translation>%1 en %2. Alturas de las partes: %3.</translation>
+    </message>
+    <message>
+        <source>From %1.</source>
+        <translation>De %1.</translation>
+    </message>
+    <message>
+        <source>Features of the files are not parts: an outline that has parts of its own makes none, a feature of several outlines several.</source>
+        <translation>Los elementos de los archivos no son partes: un contorno que tiene partes propias no da ninguna; un elemento de varios contornos, varias.</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>None: every feature was used unchanged.</source>
+        <translation>Ninguno: todos los elementos se usaron sin cambios.</translation>
+    </message>
+    <message>
+        <source>%1 in total, of %2 kinds; the JSON file beside this report lists each one with its feature.</source>
+        <translation>%1 en total, de %2 tipos; el archivo JSON junto a este informe los lista con su elemento.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nada</translation>
+    </message>
+    <message>
+        <source>%1 of %2 buildings used</source>
+        <translation>%1 de %2 edificios usados</translation>
+    </message>
+    <message>
+        <source>, %1 rays</source>
+        <translation>, %1 rayos</translation>
+    </message>
+    <message>
+        <source>. Skipped: </source>
+        <translation>. Omitido: </translation>
+    </message>
+    <message>
+        <source>Computation</source>
+        <translation>Cálculo</translation>
+    </message>
+    <message>
+        <source>How to repeat this result</source>
+        <translation>Cómo repetir este resultado</translation>
+    </message>
+    <message>
+        <source>%1 lies beside this report.</source>
+        <translation>%1 está junto a este informe.</translation>
+    </message>
+    <message>
+        <source>Shadow study</source>
+        <translation>Estudio de sombras</translation>
+    </message>
+    <message>
+        <source>at an unknown time</source>
+        <translation>en un momento desconocido</translation>
+    </message>
+    <message>
+        <source>on </source>
+        <translation>el </translation>
+    </message>
+    <message>
+        <source>A result saved in the project</source>
+        <translation>Un resultado guardado en el proyecto</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, saved %2 by %3. Maps and figures are those that were saved.</source>
+        <translation>«%1», guardado %2 por %3. Los mapas y valores son los que se guardaron.</translation>
+    </message>
+    <message>
+        <source>Its inputs have not changed since.</source>
+        <translation>Sus datos no han cambiado desde entonces.</translation>
+    </message>
+    <message>
+        <source>The buildings drawn are those of the scenario as it is now.</source>
+        <translation>Los edificios dibujados son los del escenario actual.</translation>
+    </message>
+    <message>
+        <source>Square cells of %1 m; those that were not measured are white on the map.</source>
+        <translation>Celdas cuadradas de %1 m; las no medidas son blancas en el mapa.</translation>
+    </message>
+    <message>
+        <source>Error: %1.</source>
+        <translation>Error: %1.</translation>
+    </message>
+    <message>
+        <source>Weight table: %1.</source>
+        <translation>Tabla de pesos: %1.</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>y %1 más</translation>
+    </message>
+    <message>
+        <source>Shadow study of %1</source>
+        <translation>Estudio de sombras de %1</translation>
+    </message>
+    <message>
+        <source>Change: minutes in %1 minus minutes in %2; positive means more %3. %4</source>
+        <translation>Cambio: minutos en %1 menos minutos en %2; positivo significa más %3. %4</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>%1 m east-west by %2 m north-south around %3 (WGS84)</source>
+        <translation>%1 m de este a oeste por %2 m de norte a sur alrededor de %3 (WGS84)</translation>
+    </message>
+    <message>
+        <source>Data: </source>
+        <translation>Datos: </translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Tamaño de celda</translation>
+    </message>
+    <message>
+        <source>Steps of the sun</source>
+        <translation>Posiciones del sol</translation>
+    </message>
+    <message>
+        <source> + %1 min</source>
+        <translation> + %1 min</translation>
+    </message>
+    <message>
+        <source> - %1 min</source>
+        <translation> - %1 min</translation>
+    </message>
+    <message>
+        <source>sunrise</source>
+        <translation>salida del sol</translation>
+    </message>
+    <message>
+        <source> to </source>
+        <translation> a </translation>
+    </message>
+    <message>
+        <source>sunset</source>
+        <translation>puesta del sol</translation>
+    </message>
+    <message>
+        <source>%1 for %2 h</source>
+        <translation>%1 durante %2 h</translation>
+    </message>
+    <message>
+        <source>no date</source>
+        <translation>sin fecha</translation>
+    </message>
+    <message>
+        <source>%1 to %2 (%3)</source>
+        <translation>%1 a %2 (%3)</translation>
+    </message>
+    <message>
+        <source>at </source>
+        <translation>a las </translation>
+    </message>
+    <message>
+        <source>, every %1 min</source>
+        <translation>, cada %1 min</translation>
+    </message>
+    <message>
+        <source>... the rest is in the JSON file</source>
+        <translation>... el resto está en el archivo JSON</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>no comprobado</translation>
+    </message>
+    <message>
+        <source>December to February</source>
+        <translation>diciembre a febrero</translation>
+    </message>
+    <message>
+        <source>March to May</source>
+        <translation>marzo a mayo</translation>
+    </message>
+    <message>
+        <source>June to August</source>
+        <translation>junio a agosto</translation>
+    </message>
+    <message>
+        <source>September to November</source>
+        <translation>septiembre a noviembre</translation>
+    </message>
+    <message>
+        <source>every</source>
+        <translation>todos</translation>
+    </message>
+    <message>
+        <source>average</source>
+        <translation>media</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>elegido</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>suma</translation>
+    </message>
+    <message>
+        <source>civil</source>
+        <translation>hora civil</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>hora estándar</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>fija</translation>
+    </message>
+    <message>
+        <source>true solar</source>
+        <translation>hora solar verdadera</translation>
+    </message>
+    <message>
+        <source>upper limb</source>
+        <translation>borde superior</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>centro</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>suelo</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>plano</translation>
+    </message>
+    <message>
+        <source>windows</source>
+        <translation>ventanas</translation>
+    </message>
+    <message>
+        <source>everything</source>
+        <translation>todo</translation>
+    </message>
+    <message>
+        <source>existing</source>
+        <translation>existente</translation>
+    </message>
+    <message>
+        <source>no action</source>
+        <translation>sin actuación</translation>
+    </message>
+    <message>
+        <source>reference body</source>
+        <translation>cuerpo de referencia</translation>
+    </message>
+    <message>
+        <source>mid pane</source>
+        <translation>centro del vidrio</translation>
+    </message>
+    <message>
+        <source>sill middle</source>
+        <translation>centro del alféizar</translation>
+    </message>
+    <message>
+        <source>sill ends</source>
+        <translation>extremos del alféizar</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>exterior</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>interior</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>ventana</translation>
+    </message>
+    <message>
+        <source>room</source>
+        <translation>habitación</translation>
+    </message>
+    <message>
+        <source>dwelling</source>
+        <translation>vivienda</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5943,6 +8771,17 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>sweeping horizons</source>
         <translation>barriendo horizontes</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ChartPages</name>
+    <message>
+        <source>Timelines</source>
+        <translation>Cronologías</translation>
+    </message>
+    <message>
+        <source>Clock: %1.</source>
+        <translation>Hora: %1.</translation>
     </message>
 </context>
 <context>
@@ -6274,6 +9113,21 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>tracing rays through trees</source>
         <translation>trazando rayos por los árboles</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::DayClock</name>
+    <message>
+        <source>%1, with daylight saving</source>
+        <translation>%1, con horario de verano</translation>
+    </message>
+    <message>
+        <source>%1, standard time</source>
+        <translation>%1, hora estándar</translation>
+    </message>
+    <message>
+        <source>true solar time</source>
+        <translation>hora solar verdadera</translation>
     </message>
 </context>
 <context>
@@ -6644,6 +9498,29 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::ElevationFlow</name>
+    <message>
+        <source> %1 more buildings are not drawn.</source>
+        <translation> No se dibujan %1 edificios más.</translation>
+    </message>
+    <message>
+        <source> %1 sides do not fit on %2 at 1:%3 and are smaller.</source>
+        <translation> %1 lados no caben en %2 a 1:%3 y son más pequeños.</translation>
+    </message>
+    <message>
+        <source>%1, facing %2 (%3°)</source>
+        <translation>%1, orientado al %2 (%3°)</translation>
+    </message>
+    <message>
+        <source>, layer %1 of %2</source>
+        <translation>, capa %1 de %2</translation>
+    </message>
+    <message>
+        <source>1:%1 on %2. %3 windows</source>
+        <translation>1:%1 en %2. %3 ventanas</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::Exploration</name>
     <message>
         <source>Exploring</source>
@@ -6800,6 +9677,26 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>Save project first</source>
         <translation>Guardar antes el proyecto</translation>
     </message>
+    <message>
+        <source>The name of the PDF with the sheets</source>
+        <translation>El nombre del PDF con las láminas</translation>
+    </message>
+    <message>
+        <source>Name of the sheets</source>
+        <translation>Nombre de las láminas</translation>
+    </message>
+    <message>
+        <source>Two of the files have one name: choose another for the sheets</source>
+        <translation>Dos de los archivos tienen el mismo nombre: elija otro para las láminas</translation>
+    </message>
+    <message>
+        <source>No sheets are written. Tick &quot;%1&quot; to see and write them.</source>
+        <translation>No se escriben láminas. Marque «%1» para verlas y escribirlas.</translation>
+    </message>
+    <message>
+        <source>What is chosen has no sheets.</source>
+        <translation>Lo elegido no tiene láminas.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ExtrudeHandle</name>
@@ -6949,6 +9846,41 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>writing the movie</source>
         <translation>escribiendo la película</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::FramePainter</name>
+    <message>
+        <source>Project</source>
+        <translation>Proyecto</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Título</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>Cliente</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Autor</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Hoja</translation>
+    </message>
+    <message>
+        <source>sheet %1 of %2</source>
+        <translation>hoja %1 de %2</translation>
     </message>
 </context>
 <context>
@@ -7658,6 +10590,10 @@ Aproximado: la leyenda indica el error medido. Los veredictos de las revisiones 
     <message>
         <source>Height above ground</source>
         <translation>Altura sobre el terreno</translation>
+    </message>
+    <message>
+        <source>Turn, taper, twist</source>
+        <translation>Girar, estrechar, torcer</translation>
     </message>
 </context>
 <context>
@@ -8383,6 +11319,60 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <source>A terrain, an aerial photograph, trees, or parks and other places; what the city has stays</source>
         <translation>Un terreno, una fotografía aérea, árboles, o parques y otros lugares; lo que la ciudad tiene se conserva</translation>
     </message>
+    <message>
+        <source>%1 is drawn as %2; a right click on it in Project changes its kind.</source>
+        <translation>%1 se dibujó como %2; un clic derecho en Proyecto cambia su tipo.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceCharts</name>
+    <message>
+        <source>Timelines</source>
+        <translation>Cronologías</translation>
+    </message>
+    <message>
+        <source>Hours of the year in shadow</source>
+        <translation>Horas del año en sombra</translation>
+    </message>
+    <message>
+        <source>Shadow by month</source>
+        <translation>Sombra por mes</translation>
+    </message>
+    <message>
+        <source>%1 measured. Clock: %2.</source>
+        <translation>%1 medidos. Hora: %2.</translation>
+    </message>
+    <message>
+        <source>Incremental shadow: share of the place</source>
+        <translation>Sombra añadida: parte del lugar</translation>
+    </message>
+    <message>
+        <source>Shadow in the scenario: share of the place</source>
+        <translation>Sombra en el escenario: parte del lugar</translation>
+    </message>
+    <message>
+        <source>Day of the year across, time of day upwards; not counted: the sun is down, or outside the rule&apos;s hours</source>
+        <translation>Días del año hacia la derecha, hora del día hacia arriba; no contado: el sol está bajo el horizonte o fuera de las horas de la norma</translation>
+    </message>
+    <message>
+        <source>Area × hours in shadow by month</source>
+        <translation>Área × horas en sombra por mes</translation>
+    </message>
+    <message>
+        <source>The measured half of the year stands for both halves: each month counts twice</source>
+        <translation>La mitad del año medida representa ambas mitades: cada mes cuenta doble</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceEvaluation</name>
+    <message>
+        <source>The rule is about windows, not about places</source>
+        <translation>La norma trata de ventanas, no de lugares</translation>
+    </message>
+    <message>
+        <source>The place has no cell where shadow is measured</source>
+        <translation>El lugar no tiene ninguna celda donde se mida la sombra</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceFile</name>
@@ -8457,6 +11447,33 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>Only those in reach of the shadow; they are being found</source>
         <translation>Solo los que alcanza la sombra; se están buscando</translation>
+    </message>
+    <message>
+        <source>What the place is that is drawn, of the kinds that the rule is about</source>
+        <translation>Qué es el lugar que se dibuja, de los tipos que trata la regla</translation>
+    </message>
+    <message>
+        <source>Draw place</source>
+        <translation>Dibujar lugar</translation>
+    </message>
+    <message>
+        <source>Click the place&apos;s corners on the ground; double click or Enter finishes. Its name can then be typed in the list.</source>
+        <translation>Haga clic en las esquinas del lugar en el suelo; doble clic o Intro termina. Después su nombre se escribe en la lista.</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceSorter</name>
+    <message>
+        <source>further places: %1</source>
+        <translation>más lugares: %1</translation>
+    </message>
+    <message>
+        <source>%1: pieces of less than %2</source>
+        <translation>%1: trozos de menos de %2</translation>
+    </message>
+    <message>
+        <source>%1, pieces of less than %2</source>
+        <translation>%1, trozos de menos de %2</translation>
     </message>
 </context>
 <context>
@@ -9919,6 +12936,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <source>&lt;b&gt;%1&lt;/b&gt;: %2 as it stands. %3</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;: %2 en su estado actual. %3</translation>
     </message>
+    <message>
+        <source>The project holds %1, see the list of Results. Run review shows its places and timelines again.</source>
+        <translation>El proyecto contiene %1, véase la lista de resultados. «Ejecutar revisión» vuelve a mostrar lugares y cronologías.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewForm</name>
@@ -11033,6 +14054,18 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <source>Cancelled.</source>
         <translation>Cancelado.</translation>
     </message>
+    <message>
+        <source>The project holds what was measured: %1.</source>
+        <translation>El proyecto contiene lo que se midió: %1.</translation>
+    </message>
+    <message>
+        <source>The project holds %1 answers, all in the list of Results; among them %2.</source>
+        <translation>El proyecto contiene %1 respuestas, todas en la lista de resultados; entre ellas %2.</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>Mostrarla</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::StudyDock</name>
@@ -11142,10 +14175,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>Superficie bruta, o edificabilidad: superficie bruta dividida por la de la parcela</translation>
     </message>
     <message>
-        <source>What the tower shall have; press a button below to reach it</source>
-        <translation>Lo que debe tener la torre; pulse un botón de abajo para alcanzarlo</translation>
-    </message>
-    <message>
         <source>Fit storeys</source>
         <translation>Ajustar plantas</translation>
     </message>
@@ -11164,6 +14193,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source> sq ft</source>
         <translation> ft²</translation>
+    </message>
+    <message>
+        <source>What the tower shall have: type it, and storeys or plate are fitted; else what it has</source>
+        <translation>Lo que debe tener la torre: al escribirlo se ajustan plantas o base; si no, lo que tiene</translation>
     </message>
 </context>
 <context>
@@ -12802,6 +15835,458 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>around %1</source>
         <translation>alrededor de %1</translation>
+    </message>
+    <message>
+        <source>That of the window</source>
+        <translation>El de la ventana</translation>
+    </message>
+    <message>
+        <source>Sun: azimuth %1°, altitude %2°</source>
+        <translation>Sol: acimut %1°, altura %2°</translation>
+    </message>
+    <message>
+        <source>%1 further pages are printed by the option --all-pages. </source>
+        <translation>La opción --all-pages imprime %1 páginas más. </translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Dictamen</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Motivo</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Lugares</translation>
+    </message>
+    <message>
+        <source>%1, generated by this program</source>
+        <translation>%1, generado por este programa</translation>
+    </message>
+    <message>
+        <source>%1, %2 bytes, SHA-256:</source>
+        <translation>%1, %2 bytes, SHA-256:</translation>
+    </message>
+    <message>
+        <source>%1 day</source>
+        <translation>%1 día</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 días</translation>
+    </message>
+    <message>
+        <source>%1 step</source>
+        <translation>%1 paso</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 pasos</translation>
+    </message>
+    <message>
+        <source>%1 value</source>
+        <translation>%1 valor</translation>
+    </message>
+    <message>
+        <source>%1 values</source>
+        <translation>%1 valores</translation>
+    </message>
+    <message>
+        <source>%1 edit</source>
+        <translation>%1 cambio</translation>
+    </message>
+    <message>
+        <source>%1 edits</source>
+        <translation>%1 cambios</translation>
+    </message>
+    <message>
+        <source>%1 place</source>
+        <translation>%1 lugar</translation>
+    </message>
+    <message>
+        <source>%1 places</source>
+        <translation>%1 lugares</translation>
+    </message>
+    <message>
+        <source>%1 building</source>
+        <translation>%1 edificio</translation>
+    </message>
+    <message>
+        <source>%1 buildings</source>
+        <translation>%1 edificios</translation>
+    </message>
+    <message>
+        <source>%1 part</source>
+        <translation>%1 parte</translation>
+    </message>
+    <message>
+        <source>%1 parts</source>
+        <translation>%1 partes</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>ft</translation>
+    </message>
+    <message>
+        <source>sq ft</source>
+        <translation>ft²</translation>
+    </message>
+    <message>
+        <source>acres</source>
+        <translation>acres</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>, one day in %1</source>
+        <translation>, un día de cada %1</translation>
+    </message>
+    <message>
+        <source>, half a year mirrored at 21 June</source>
+        <translation>, medio año reflejado en el 21 de junio</translation>
+    </message>
+    <message>
+        <source>; sun above %1 deg</source>
+        <translation>; sol por encima de %1 grados</translation>
+    </message>
+    <message>
+        <source>; sunrise: %1</source>
+        <translation>; salida del sol: %1</translation>
+    </message>
+    <message>
+        <source>, %1, %2 face</source>
+        <translation>, %1, cara %2</translation>
+    </message>
+    <message>
+        <source>, %1 m above the sill</source>
+        <translation>, %1 m sobre el alféizar</translation>
+    </message>
+    <message>
+        <source>, %1 m above the floor</source>
+        <translation>, %1 m sobre el piso</translation>
+    </message>
+    <message>
+        <source>, sun at least %1 deg from the pane</source>
+        <translation>, sol a %1 grados como mínimo del vidrio</translation>
+    </message>
+    <message>
+        <source>, sun at least arctan(wall / width) from the pane</source>
+        <translation>, sol a arctan(pared / anchura) como mínimo del vidrio</translation>
+    </message>
+    <message>
+        <source>; by %1</source>
+        <translation>; por %1</translation>
+    </message>
+    <message>
+        <source>; sill %1 m, wall %2 m, windows without a size %3 x %4 m</source>
+        <translation>; alféizar %1 m, pared %2 m, ventanas sin tamaño %3 x %4 m</translation>
+    </message>
+    <message>
+        <source> %1 m above mean ground</source>
+        <translation> a %1 m sobre el suelo medio</translation>
+    </message>
+    <message>
+        <source>; lines %1 and %2 m from the parcel</source>
+        <translation>; líneas a %1 y %2 m de la parcela</translation>
+    </message>
+    <message>
+        <source>, whose line moves out by %1 of the width of roads up to %2 m, to %3 m inside the far side of wider ones</source>
+        <translation>, cuya línea avanza %1 veces la anchura de las calles de hasta %2 m, y hasta %3 m antes del lado lejano en las más anchas</translation>
+    </message>
+    <message>
+        <source>; all places</source>
+        <translation>; todos los lugares</translation>
+    </message>
+    <message>
+        <source> or</source>
+        <translation> o</translation>
+    </message>
+    <message>
+        <source>: stated, no limit</source>
+        <translation>: se indica, sin límite</translation>
+    </message>
+    <message>
+        <source>; windows facing %1 to %2 deg</source>
+        <translation>; ventanas orientadas de %1 a %2 grados</translation>
+    </message>
+    <message>
+        <source> (does not decide)</source>
+        <translation> (no decide)</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>días</translation>
+    </message>
+    <message>
+        <source>clock</source>
+        <translation>hora</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>paso</translation>
+    </message>
+    <message>
+        <source>receivers</source>
+        <translation>receptores</translation>
+    </message>
+    <message>
+        <source>casters</source>
+        <translation>obstáculos</translation>
+    </message>
+    <message>
+        <source>trees</source>
+        <translation>árboles</translation>
+    </message>
+    <message>
+        <source>baseline</source>
+        <translation>referencia</translation>
+    </message>
+    <message>
+        <source>criterion</source>
+        <translation>criterio</translation>
+    </message>
+    <message>
+        <source>holds if</source>
+        <translation>se cumple si</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>o</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>parte</translation>
+    </message>
+    <message>
+        <source>sunshine</source>
+        <translation>insolación</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>suma</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>tabla</translation>
+    </message>
+    <message>
+        <source>diagrams</source>
+        <translation>diagramas</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>opción</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Cifras</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>No comprobado</translation>
+    </message>
+    <message>
+        <source>How the rule is read</source>
+        <translation>Cómo se lee la norma</translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation>planta</translation>
+    </message>
+    <message>
+        <source>fan</source>
+        <translation>abanico</translation>
+    </message>
+    <message>
+        <source>isochrones</source>
+        <translation>isócronas</translation>
+    </message>
+    <message>
+        <source>view from the sun</source>
+        <translation>vista desde el sol</translation>
+    </message>
+    <message>
+        <source>hours</source>
+        <translation>horas</translation>
+    </message>
+    <message>
+        <source>, on full %1 min</source>
+        <translation>, en múltiplos de %1 min</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> y </translation>
+    </message>
+    <message>
+        <source>%1: %2 for at least %3 %</source>
+        <translation>%1: %2 para al menos el %3 %</translation>
+    </message>
+    <message>
+        <source>area x %1 h a year</source>
+        <translation>área x %1 h al año</translation>
+    </message>
+    <message>
+        <source>Least certain of what the verdicts rest on: %1 (%2: %3).</source>
+        <translation>Lo menos seguro de aquello en que se basan los veredictos: %1 (%2: %3).</translation>
+    </message>
+    <message>
+        <source>%1: %2; now %3</source>
+        <translation>%1: %2; ahora %3</translation>
+    </message>
+    <message>
+        <source>V: read in the rule&apos;s text or on an official page; R: reported by practice; U: not checked against the rule&apos;s text.</source>
+        <translation>V: leído en el texto de la norma o en una página oficial; R: según la práctica; U: no comprobado con el texto de la norma.</translation>
+    </message>
+    <message>
+        <source>figures only</source>
+        <translation>solo valores</translation>
+    </message>
+    <message>
+        <source>%1 x former</source>
+        <translation>%1 x anterior</translation>
+    </message>
+    <message>
+        <source>loss %1</source>
+        <translation>pérdida %1</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 o %2</translation>
+    </message>
+    <message>
+        <source> (former %1)</source>
+        <translation> (anterior %1)</translation>
+    </message>
+    <message>
+        <source> on %1</source>
+        <translation> el %1</translation>
+    </message>
+    <message>
+        <source>, wanted %1</source>
+        <translation>, se exige %1</translation>
+    </message>
+    <message>
+        <source>No sun in these hours</source>
+        <translation>Sin sol en estas horas</translation>
+    </message>
+    <message>
+        <source>The rule states no limit for this place</source>
+        <translation>La norma no fija ningún límite para este lugar</translation>
+    </message>
+    <message>
+        <source>read in the rule&apos;s text or on an official page</source>
+        <translation>leído en el texto de la norma o en una página oficial</translation>
+    </message>
+    <message>
+        <source>reported by practice</source>
+        <translation>según la práctica</translation>
+    </message>
+    <message>
+        <source>not checked against the rule&apos;s text</source>
+        <translation>no comprobado con el texto de la norma</translation>
+    </message>
+    <message>
+        <source>none counted</source>
+        <translation>no se cuenta ninguno</translation>
+    </message>
+    <message>
+        <source>evergreen trees only</source>
+        <translation>solo árboles perennes</translation>
+    </message>
+    <message>
+        <source>dense belts of evergreen trees only</source>
+        <translation>solo cinturones densos de árboles perennes</translation>
+    </message>
+    <message>
+        <source>all, as evergreens</source>
+        <translation>todos, como perennes</translation>
+    </message>
+    <message>
+        <source>all, with their seasons</source>
+        <translation>todos, con sus estaciones</translation>
+    </message>
+    <message>
+        <source>existing trees with their seasons, and new evergreens</source>
+        <translation>árboles existentes con sus estaciones y nuevos perennes</translation>
+    </message>
+    <message>
+        <source>sunrise</source>
+        <translation>salida del sol</translation>
+    </message>
+    <message>
+        <source>sunset</source>
+        <translation>puesta del sol</translation>
+    </message>
+    <message>
+        <source>the latest of</source>
+        <translation>lo más tarde de</translation>
+    </message>
+    <message>
+        <source>the earliest of</source>
+        <translation>lo más pronto de</translation>
+    </message>
+    <message>
+        <source>Trees: %1</source>
+        <translation>Árboles: %1</translation>
+    </message>
+    <message>
+        <source>; the city has no trees</source>
+        <translation>; la ciudad no tiene árboles</translation>
+    </message>
+    <message>
+        <source>; trees in the city: %1</source>
+        <translation>; árboles en la ciudad: %1</translation>
+    </message>
+    <message>
+        <source>; trees that count: %1 of %2</source>
+        <translation>; árboles que cuentan: %1 de %2</translation>
+    </message>
+    <message>
+        <source>The engine is the ray reference itself, against which others are measured.</source>
+        <translation>El motor es la propia referencia de rayos, con la que se miden los demás.</translation>
+    </message>
+    <message>
+        <source>The engine&apos;s error against the ray reference was not measured: it was switched off.</source>
+        <translation>No se midió el error del motor frente a la referencia de rayos: estaba desactivado.</translation>
+    </message>
+    <message>
+        <source>The engine&apos;s error against the ray reference could not be measured: see the warnings.</source>
+        <translation>No se pudo medir el error del motor frente a la referencia de rayos: véanse los avisos.</translation>
+    </message>
+    <message>
+        <source>Each run of minutes is uncertain by a step; each area by half of the cells that its edge passes through, at least by one; each area x hours by these and by half of what the area changes from step to step, where the days of a sum err independently of each other. </source>
+        <translation>Cada duración es incierta en un paso; cada área, en la mitad de las celdas por las que pasa su borde, al menos en una; cada área x horas, en ambas cosas y en la mitad de lo que cambia el área de paso a paso, donde los días de una suma yerran con independencia. </translation>
+    </message>
+    <message>
+        <source>Worst spots are the worst of the cells&apos; centres and of points around these, down to %1 m from each other; what the nearest found worse is in their error. </source>
+        <translation>Los peores puntos son los peores de los centros de las celdas y de puntos alrededor, hasta a %1 m entre sí; lo que el más cercano halló peor está en su error. </translation>
+    </message>
+    <message>
+        <source>Worst spots are the worst of the cells&apos; centres, and their error includes the cell. </source>
+        <translation>Los peores puntos son los peores de los centros de las celdas, y su error incluye la celda. </translation>
+    </message>
+    <message>
+        <source>Shadow enters and exits up to a step (%1 min) earlier than stated, as each step has the sun of its beginning. </source>
+        <translation>La sombra entra y sale hasta un paso (%1 min) antes de lo indicado, ya que cada paso tiene el sol de su comienzo. </translation>
+    </message>
+    <message>
+        <source>A value within its error of a limit is borderline, never pass.</source>
+        <translation>Un valor que dista de un límite menos que su error está en el límite, nunca cumple.</translation>
     </message>
 </context>
 </TS>

@@ -2240,18 +2240,6 @@ Opens the panel Review.</source>
         </translation>
     </message>
     <message>
-        <source>Max shadow, min</source>
-        <translation>最大の影 (分)</translation>
-    </message>
-    <message>
-        <source>Min shadow, min</source>
-        <translation>最小の影 (分)</translation>
-    </message>
-    <message>
-        <source>Mean shadow, min</source>
-        <translation>平均の影 (分)</translation>
-    </message>
-    <message>
         <source>%1: minutes of shadow</source>
         <translation>%1: 影の分数</translation>
     </message>
@@ -2773,6 +2761,1178 @@ Opens the panel Review.</source>
     <message>
         <source>Australia</source>
         <translation>オーストラリア</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>日</translation>
+    </message>
+    <message>
+        <source>New shadow enters</source>
+        <translation>新しい影の開始</translation>
+    </message>
+    <message>
+        <source>New shadow exits</source>
+        <translation>新しい影の終了</translation>
+    </message>
+    <message>
+        <source>Duration, min</source>
+        <translation>継続時間、分</translation>
+    </message>
+    <message>
+        <source>Largest area, m²</source>
+        <translation>最大面積、m²</translation>
+    </message>
+    <message>
+        <source>At one spot, min</source>
+        <translation>一点で、分</translation>
+    </message>
+    <message>
+        <source>Shadow of fences and other small structures</source>
+        <translation>柵など小さな構造物の影</translation>
+    </message>
+    <message>
+        <source>The rule asks for diagrams and states no limit, so there are figures and no verdict.</source>
+        <translation>規定は図を求めるだけで限度がないため、数値のみで判定はありません。</translation>
+    </message>
+    <message>
+        <source>The equinoxes and solstices are the 21st of March, June, September and December.</source>
+        <translation>分点と至点は 3 月、6 月、9 月、12 月の 21 日です。</translation>
+    </message>
+    <message>
+        <source>Diagrams at 9, 12 and 15 h on the equinoxes and solstices, and at 18 h in summer and autumn.</source>
+        <translation>分点と至点の 9、12、15 時の図。夏と秋は 18 時も。</translation>
+    </message>
+    <message>
+        <source>Minutes with new shadow anywhere outside the first and last hour</source>
+        <translation>最初と最後の 1 時間を除き、どこかに新しい影がある分数</translation>
+    </message>
+    <message>
+        <source>Park</source>
+        <translation>公園</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>分</translation>
+    </message>
+    <message>
+        <source>Exemptions and shadow banks</source>
+        <translation>適用除外と影の枠</translation>
+    </message>
+    <message>
+        <source>Sunrise and sunset are those of the upper limb with refraction: the definition is not stated.</source>
+        <translation>日の出と日没は大気差を含む上縁によります。定義は示されていません。</translation>
+    </message>
+    <message>
+        <source>New shadow is shadow on ground that is lit in the baseline.</source>
+        <translation>新しい影とは、比較基準で日の当たる地面にできる影です。</translation>
+    </message>
+    <message>
+        <source>New shadow only in the first hour after sunrise or 7:00 (the later) and in the last hour before sunset.</source>
+        <translation>新しい影は、日の出か 7:00 の遅い方から 1 時間と、日没前の 1 時間だけ認められます。</translation>
+    </message>
+    <message>
+        <source>New shadow at the worst spot</source>
+        <translation>最悪の点の新しい影</translation>
+    </message>
+    <message>
+        <source>At the worst spot, min</source>
+        <translation>最悪の点で、分</translation>
+    </message>
+    <message>
+        <source>Anywhere, min</source>
+        <translation>どこかで、分</translation>
+    </message>
+    <message>
+        <source>Exemptions, and areas too small to count</source>
+        <translation>適用除外と、小さすぎて数えない面積</translation>
+    </message>
+    <message>
+        <source>The two hours are those of the worst spot: the figures at hand do not say whether a spot or the whole park is meant. The table states both.</source>
+        <translation>2 時間は最悪の点のものです。手元の資料からは点か公園全体かが分からないため、表には両方を示します。</translation>
+    </message>
+    <message>
+        <source>Less than 2 h of new shadow within 8:00-14:30, from 21 March to 21 October.</source>
+        <translation>3 月 21 日から 10 月 21 日、8:00-14:30 の新しい影が 2 時間未満。</translation>
+    </message>
+    <message>
+        <source>Share of the space with 2 h of sun</source>
+        <translation>日照 2 時間の部分の割合</translation>
+    </message>
+    <message>
+        <source>Amenity space</source>
+        <translation>アメニティ空間</translation>
+    </message>
+    <message>
+        <source>Share with 2 h of sun</source>
+        <translation>日照 2 時間の割合</translation>
+    </message>
+    <message>
+        <source>Least sun, min</source>
+        <translation>最少日照、分</translation>
+    </message>
+    <message>
+        <source>The windows&apos; part of BRE 209: annual probable sunlight hours, vertical sky component</source>
+        <translation>BRE 209 の窓の部分: 年間可能日照時間、鉛直天空光成分</translation>
+    </message>
+    <message>
+        <source>Shadow of fences</source>
+        <translation>柵の影</translation>
+    </message>
+    <message>
+        <source>The two hours may be broken up.</source>
+        <translation>2 時間は分かれていてもかまいません。</translation>
+    </message>
+    <message>
+        <source>A space that meets the limit by its former value is stated with its new share.</source>
+        <translation>以前の値によって限度を満たす空間は、新しい割合で示します。</translation>
+    </message>
+    <message>
+        <source>As reported, of trees only dense belts of evergreens count for sun on the ground. A cell is in their shade where they take half of the sun or more.</source>
+        <translation>報告によれば、地面の日照では樹木のうち常緑の密な樹林帯だけを数えます。日照の半分以上を遮る所のセルを影とします。</translation>
+    </message>
+    <message>
+        <source>At least 2 h of sun on 21 March over at least half of an amenity space, or else at least 0.8 times its former value.</source>
+        <translation>3 月 21 日にアメニティ空間の半分以上で 2 時間以上の日照、または以前の値の 0.8 倍以上。</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>内側</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>外側</translation>
+    </message>
+    <message>
+        <source>windows of</source>
+        <translation>対象の窓</translation>
+    </message>
+    <message>
+        <source>neighbours</source>
+        <translation>隣接建物</translation>
+    </message>
+    <message>
+        <source>own scheme</source>
+        <translation>自己の計画</translation>
+    </message>
+    <message>
+        <source>Annual probable sunlight hours</source>
+        <translation>年間可能日照時間</translation>
+    </message>
+    <message>
+        <source>Loss of annual probable sunlight hours</source>
+        <translation>年間可能日照時間の減少</translation>
+    </message>
+    <message>
+        <source>Vertical sky component</source>
+        <translation>鉛直天空光成分</translation>
+    </message>
+    <message>
+        <source>Probable sunlight hours from 21 September to 21 March, of those of the year</source>
+        <translation>9 月 21 日から 3 月 21 日の可能日照時間、年間に対する割合</translation>
+    </message>
+    <message>
+        <source>Sunlight is asked of windows that face within 90 degrees of due south</source>
+        <translation>日照は真南から 90 度以内を向く窓に求められます</translation>
+    </message>
+    <message>
+        <source>No-sky line and daylight in rooms</source>
+        <translation>室内の天空不可視線と昼光</translation>
+    </message>
+    <message>
+        <source>Which rooms are living rooms: all windows are evaluated</source>
+        <translation>どの部屋が居間か: すべての窓を評価します</translation>
+    </message>
+    <message>
+        <source>Windows that face north are asked for the sky component only</source>
+        <translation>北向きの窓には天空光成分だけが求められます</translation>
+    </message>
+    <message>
+        <source>Shadow of fences and blinds</source>
+        <translation>柵とブラインドの影</translation>
+    </message>
+    <message>
+        <source>A window&apos;s sunlight suffers if it misses a target of its own, falls below 0.8 times the former value in that period, and loses more than 4 points of the year: it holds if one of the three does not occur. Where an authority asks for both 0.8 times and a loss of at most 4 points, copy the rule and change holds_if.</source>
+        <translation>窓の日照は、固有の目標を満たさず、その期間に以前の値の 0.8 倍を下回り、年間で 4 ポイントを超えて失う場合に損なわれます。三つのうち一つでも起こらなければ適合です。当局が 0.8 倍と 4 ポイント以内の両方を求める場合は、規定を複製して holds_if を変更してください。</translation>
+    </message>
+    <message>
+        <source>Without a table of sunshine probability every hour with the sun up counts alike, and shares are of plain possible hours. Add a table for the place as &quot;sunshine&quot; in a copy of the rule, or with --sunshine.</source>
+        <translation>日照率の表がない場合、太陽が出ている時間はすべて等しく数え、割合は可照時間に対するものです。規定の複製に &quot;sunshine&quot; として、または --sunshine でその土地の表を追加してください。</translation>
+    </message>
+    <message>
+        <source>Shares are of the hours of the unobstructed sun in a whole year, also those of winter.</source>
+        <translation>割合は、冬も含めて年間の遮るもののない日照時間に対するものです。</translation>
+    </message>
+    <message>
+        <source>The point is in the middle of the pane on the outside face. With the choice of the inside face, the sun must also pass the opening in the wall.</source>
+        <translation>点は外側の面のガラス中央です。内側の面を選ぶと、太陽は壁の開口も通る必要があります。</translation>
+    </message>
+    <message>
+        <source>As reported, deciduous trees are left out before neighbours&apos; windows, and evergreens count. With the choice of one&apos;s own scheme, existing trees count by their season, and of the proposed ones the evergreens.</source>
+        <translation>報告によれば、隣接建物の窓の前では落葉樹を除き、常緑樹を数えます。自己の計画を選ぶと、既存の樹木は季節に応じて、計画の樹木は常緑樹を数えます。</translation>
+    </message>
+    <message>
+        <source>Sun through crowns counts by the share that they let pass; a run is broken where they take half of it or more. The vertical sky component has the mean of the days with leaves and without.</source>
+        <translation>樹冠を通る日照は通す割合で数え、半分以上遮る所で継続は途切れます。鉛直天空光成分は葉のある日とない日の平均です。</translation>
+    </message>
+    <message>
+        <source>Windows of neighbours: vertical sky component at least 27 %, annual probable sunlight hours at least 25 % with 5 % in winter, each or else 0.8 times the former value; a loss of sunlight of at most 4 points is never notable.</source>
+        <translation>隣接建物の窓: 鉛直天空光成分 27 % 以上、年間可能日照時間 25 % 以上 (うち冬 5 %)、または以前の値の 0.8 倍以上。4 ポイント以内の減少は目立たないものとします。</translation>
+    </message>
+    <message>
+        <source>Minutes in which all direct sun is eliminated</source>
+        <translation>直射日光がすべて失われる分数</translation>
+    </message>
+    <message>
+        <source>Sun for plants at the worst spot, growing season</source>
+        <translation>最悪の点での植物のための日照、生育期</translation>
+    </message>
+    <message>
+        <source>Resource</source>
+        <translation>対象</translation>
+    </message>
+    <message>
+        <source>Analysis day</source>
+        <translation>検討日</translation>
+    </message>
+    <message>
+        <source>Incremental shadow enters</source>
+        <translation>増加日影の開始</translation>
+    </message>
+    <message>
+        <source>Incremental shadow exits</source>
+        <translation>増加日影の終了</translation>
+    </message>
+    <message>
+        <source>Duration, h:min</source>
+        <translation>継続時間、時:分</translation>
+    </message>
+    <message>
+        <source>Longest at one spot, h:min</source>
+        <translation>一点での最長、時:分</translation>
+    </message>
+    <message>
+        <source>All direct sun eliminated, min</source>
+        <translation>直射日光の消失、分</translation>
+    </message>
+    <message>
+        <source>Trigger: 50 ft or more, or more than 10 ft next to a resource</source>
+        <translation>対象: 50 ft 以上、または対象に隣接して 10 ft 超</translation>
+    </message>
+    <message>
+        <source>Longest shadow: 4.3 x height</source>
+        <translation>最長の影: 高さの 4.3 倍</translation>
+    </message>
+    <message>
+        <source>No shadow between 108 and 252 degrees from north</source>
+        <translation>北から 108 度から 252 度の間に影はありません</translation>
+    </message>
+    <message>
+        <source>Hours: from 1.5 h after sunrise to 1.5 h before sunset</source>
+        <translation>時間帯: 日の出 1.5 時間後から日没 1.5 時間前</translation>
+    </message>
+    <message>
+        <source>Growing season: April to October; a statement on it is asked for</source>
+        <translation>生育期: 4 月から 10 月。これについての記述が求められます</translation>
+    </message>
+    <message>
+        <source>All direct sun eliminated from a resource for more than 10 min is generally significant</source>
+        <translation>対象の直射日光が 10 分を超えてすべて失われることは、一般に重大とされます</translation>
+    </message>
+    <message>
+        <source>Plants need 4 to 6 h of sun</source>
+        <translation>植物には 4 から 6 時間の日照が必要です</translation>
+    </message>
+    <message>
+        <source>The trigger (height of the proposal) and whether the resource is sensitive to sunlight</source>
+        <translation>対象の条件 (計画案の高さ) と、対象が日照を要するか</translation>
+    </message>
+    <message>
+        <source>Significance of incremental shadow that leaves some sun: the rule asks for a judgement</source>
+        <translation>日照が一部残る増加日影の重大性: 規定は判断を求めます</translation>
+    </message>
+    <message>
+        <source>Stained glass and facades are measured on the ground in front of them</source>
+        <translation>ステンドグラスと外壁面はその前の地面で測定します</translation>
+    </message>
+    <message>
+        <source>Landscaped medians with seats, unless they are places of the project</source>
+        <translation>座席のある緑の中央分離帯 (プロジェクトの場所でない場合)</translation>
+    </message>
+    <message>
+        <source>The duration is the time with incremental shadow anywhere on the resource, without breaks.</source>
+        <translation>継続時間は対象のどこかに増加日影がある時間で、途切れは除きます。</translation>
+    </message>
+    <message>
+        <source>Kinds that the rule does not name (playground, plaza, cemetery, other) are evaluated as open space. Streets are not.</source>
+        <translation>規定が挙げない種類 (遊び場、広場、墓地、その他) はオープンスペースとして評価します。道路は対象外です。</translation>
+    </message>
+    <message>
+        <source>The sun for plants is counted within the rule&apos;s hours and compared with the lower figure, 4 h; it does not decide the verdict.</source>
+        <translation>植物のための日照は規定の時間内で数え、小さい方の 4 時間と比べます。判定には用いません。</translation>
+    </message>
+    <message>
+        <source>Incremental shadow of a proposal on sunlight-sensitive resources on four analysis days, against the No-Action scenario.</source>
+        <translation>四つの検討日に、日照を要する対象に計画案が与える増加日影。無計画時のシナリオとの比較。</translation>
+    </message>
+    <message>
+        <source>counting</source>
+        <translation>数え方</translation>
+    </message>
+    <message>
+        <source>Beijing, runs from 5 min</source>
+        <translation>北京、5 分以上の区間</translation>
+    </message>
+    <message>
+        <source>Hangzhou, two longest runs</source>
+        <translation>杭州、最長の二区間</translation>
+    </message>
+    <message>
+        <source>all runs</source>
+        <translation>すべての区間</translation>
+    </message>
+    <message>
+        <source>day</source>
+        <translation>日</translation>
+    </message>
+    <message>
+        <source>Great Cold, 2 h</source>
+        <translation>大寒、2 時間</translation>
+    </message>
+    <message>
+        <source>Great Cold, 3 h</source>
+        <translation>大寒、3 時間</translation>
+    </message>
+    <message>
+        <source>winter solstice, 1 h</source>
+        <translation>冬至、1 時間</translation>
+    </message>
+    <message>
+        <source>winter solstice</source>
+        <translation>冬至</translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>ガラス面からの角度</translation>
+    </message>
+    <message>
+        <source>15 degrees</source>
+        <translation>15 度</translation>
+    </message>
+    <message>
+        <source>wall over width</source>
+        <translation>壁厚 / 幅</translation>
+    </message>
+    <message>
+        <source>Effective sun at both ends of the sill</source>
+        <translation>窓台両端の有効日照</translation>
+    </message>
+    <message>
+        <source>Great Cold</source>
+        <translation>大寒</translation>
+    </message>
+    <message>
+        <source>The sun counts from a sweep angle of 15 degrees, or arctan(thickness of the wall / width of the window)</source>
+        <translation>太陽はガラス面から 15 度、または arctan(壁厚 / 窓の幅) 以上で数えます</translation>
+    </message>
+    <message>
+        <source>Beijing drops runs below 5 min; 30 min is also reported</source>
+        <translation>北京では 5 分未満の区間を除きます。30 分とする報告もあります</translation>
+    </message>
+    <message>
+        <source>Hangzhou sums the longest runs, steps of at most 5 min</source>
+        <translation>杭州では最長の区間を合計し、ステップは 5 分以内です</translation>
+    </message>
+    <message>
+        <source>Households: which windows belong to a household, and that one living room is enough</source>
+        <translation>世帯: どの窓が世帯に属するか、居間一室で足りること</translation>
+    </message>
+    <message>
+        <source>The climate zone and size of the city, which choose the day</source>
+        <translation>日を決める気候区分と都市の規模</translation>
+    </message>
+    <message>
+        <source>The sun counts while both ends of the sill have it at once.</source>
+        <translation>窓台の両端に同時に日が当たる間を数えます。</translation>
+    </message>
+    <message>
+        <source>Windows of 1.5 m stand in where the file states no sizes.</source>
+        <translation>ファイルに大きさのない窓は 1.5 m とします。</translation>
+    </message>
+    <message>
+        <source>Hangzhou: the two longest runs are summed; how many is not stated in what we have.</source>
+        <translation>杭州: 最長の二区間を合計します。いくつかは手元の資料にありません。</translation>
+    </message>
+    <message>
+        <source>Homes: at least 2 h of sun on the Great Cold day from 8 to 16 h, or 1 h on the winter solstice from 9 to 15 h, true solar time, at both ends of the sill.</source>
+        <translation>住宅: 真太陽時で大寒の 8 時から 16 時に 2 時間以上、または冬至の 9 時から 15 時に 1 時間以上、窓台の両端で。</translation>
+    </message>
+    <message>
+        <source>country</source>
+        <translation>国</translation>
+    </message>
+    <message>
+        <source>Czech Republic, 13 deg</source>
+        <translation>チェコ、13 度</translation>
+    </message>
+    <message>
+        <source>Germany, 11 deg</source>
+        <translation>ドイツ、11 度</translation>
+    </message>
+    <message>
+        <source>of choice</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>最悪</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>水準</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>高</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>中</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>最低</translation>
+    </message>
+    <message>
+        <source>Sun in the room</source>
+        <translation>部屋の日照</translation>
+    </message>
+    <message>
+        <source>Levels: 1.5 h minimum, 4 h high</source>
+        <translation>水準: 最低 1.5 時間、高 4 時間</translation>
+    </message>
+    <message>
+        <source>Level: 3 h medium</source>
+        <translation>水準: 中 3 時間</translation>
+    </message>
+    <message>
+        <source>Which rooms are habitable, and that one room of a dwelling is enough</source>
+        <translation>どの部屋が居室か、住戸の一室で足りること</translation>
+    </message>
+    <message>
+        <source>Least altitudes of countries other than Germany and the Czech Republic: change lowest_sun_deg in a copy of the rule</source>
+        <translation>ドイツとチェコ以外の国の最低高度: 規定の複製で lowest_sun_deg を変更</translation>
+    </message>
+    <message>
+        <source>Times through several openings of a room add up where they are not at the same moment: name the rooms in the file of windows (field room). Windows without a room are rooms of their own.</source>
+        <translation>一部屋の複数の開口の時間は、同時でなければ合計します。窓のファイルで部屋を示してください (フィールド room)。部屋のない窓はそれ自体を一部屋とします。</translation>
+    </message>
+    <message>
+        <source>On the day of the user&apos;s choice: the best day of the range decides. The choice &quot;day=worst&quot; asks it of every day.</source>
+        <translation>任意の日: 期間中の最良の日で判定します。&quot;day=worst&quot; を選ぶと毎日求めます。</translation>
+    </message>
+    <message>
+        <source>Obstructions are looked up from the outside face; the opening, as deep as the wall, hides what the inside face does not see.</source>
+        <translation>遮蔽物は外側の面から調べ、壁厚の深さの開口が内側の面から見えない部分を隠します。</translation>
+    </message>
+    <message>
+        <source>The least altitude depends on the country. That of Germany is taken unless another country is chosen.</source>
+        <translation>最低高度は国によります。ほかの国を選ばない限りドイツの値を用います。</translation>
+    </message>
+    <message>
+        <source>On one day between 1 February and 21 March at least 1.5 h of sun in one habitable room; 3 h medium, 4 h high.</source>
+        <translation>2 月 1 日から 3 月 21 日のある日に、居室一室で 1.5 時間以上の日照。中は 3 時間、高は 4 時間。</translation>
+    </message>
+    <message>
+        <source>Longest unbroken sun</source>
+        <translation>最長の連続日照</translation>
+    </message>
+    <message>
+        <source>Sun of the day</source>
+        <translation>1 日の日照</translation>
+    </message>
+    <message>
+        <source>3 h of unbroken sun, or 3.5 h with one break</source>
+        <translation>連続 3 時間、または一度途切れて 3.5 時間の日照</translation>
+    </message>
+    <message>
+        <source>Which rooms must have it</source>
+        <translation>どの部屋に必要か</translation>
+    </message>
+    <message>
+        <source>The worst day decides.</source>
+        <translation>最悪の日で判定します。</translation>
+    </message>
+    <message>
+        <source>With one break: the two longest parts of the day&apos;s sun add up to 3.5 h, whatever sun follows.</source>
+        <translation>一度途切れる場合: その後の日照によらず、その日の最長の二区間の合計が 3.5 時間。</translation>
+    </message>
+    <message>
+        <source>Every break counts, also one of a minute: the sun before and after it are two parts. The bands of the window state them.</source>
+        <translation>1 分でも途切れは数え、前後の日照は二区間とします。窓の日照帯に示します。</translation>
+    </message>
+    <message>
+        <source>From 22 April to 22 August at least 3 h of unbroken sun, or 3.5 h with one break; a loss of at most 50 %.</source>
+        <translation>4 月 22 日から 8 月 22 日、連続 3 時間、または一度途切れて 3.5 時間以上の日照。減少は 50 % 以内。</translation>
+    </message>
+    <message>
+        <source>The sheet has no limit, so there are figures and no verdict.</source>
+        <translation>この様式には限度がないため、数値のみで判定はありません。</translation>
+    </message>
+    <message>
+        <source>The solstices and equinoxes are the 21st of March, June, September and December.</source>
+        <translation>至点と分点は 3 月、6 月、9 月、12 月の 21 日です。</translation>
+    </message>
+    <message>
+        <source>Diagrams at 9, 12 and 15 h on the solstices and equinoxes: the general sheet.</source>
+        <translation>至点と分点の 9、12、15 時の図: 一般的な様式。</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>限度</translation>
+    </message>
+    <message>
+        <source>3 h, 2 h</source>
+        <translation>3 時間、2 時間</translation>
+    </message>
+    <message>
+        <source>4 h, 2.5 h</source>
+        <translation>4 時間、2.5 時間</translation>
+    </message>
+    <message>
+        <source>5 h, 3 h</source>
+        <translation>5 時間、3 時間</translation>
+    </message>
+    <message>
+        <source>Hokkaido 2 h, 1.5 h</source>
+        <translation>北海道 2 時間、1.5 時間</translation>
+    </message>
+    <message>
+        <source>Hokkaido 3 h, 2 h</source>
+        <translation>北海道 3 時間、2 時間</translation>
+    </message>
+    <message>
+        <source>Hokkaido 4 h, 2.5 h</source>
+        <translation>北海道 4 時間、2.5 時間</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>測定面</translation>
+    </message>
+    <message>
+        <source>1.5 m</source>
+        <translation>1.5 m</translation>
+    </message>
+    <message>
+        <source>4 m</source>
+        <translation>4 m</translation>
+    </message>
+    <message>
+        <source>6.5 m</source>
+        <translation>6.5 m</translation>
+    </message>
+    <message>
+        <source>Shadow beyond 10 m of the parcel line</source>
+        <translation>敷地境界線から 10 m を超える範囲の日影</translation>
+    </message>
+    <message>
+        <source>Shadow within 5 to 10 m of the parcel line</source>
+        <translation>敷地境界線から 5 m 超 10 m 以内の範囲の日影</translation>
+    </message>
+    <message>
+        <source>Parcel and belt</source>
+        <translation>敷地と範囲</translation>
+    </message>
+    <message>
+        <source>Longest shadow at a point, min</source>
+        <translation>一点での最長日影、分</translation>
+    </message>
+    <message>
+        <source>Shadow anywhere, min</source>
+        <translation>どこかの日影、分</translation>
+    </message>
+    <message>
+        <source>True solar time 8 to 16 h; Hokkaido 9 to 15 h</source>
+        <translation>真太陽時 8 時から 16 時。北海道は 9 時から 15 時</translation>
+    </message>
+    <message>
+        <source>Plane 1.5, 4 or 6.5 m above the mean ground</source>
+        <translation>平均地盤面から 1.5、4、6.5 m の測定面</translation>
+    </message>
+    <message>
+        <source>Limits within 5 to 10 m of the parcel line and beyond 10 m: 3 and 2 h, 4 and 2.5 h, 5 and 3 h; Hokkaido 2 and 1.5 h, 3 and 2 h, 4 and 2.5 h</source>
+        <translation>敷地境界線から 5 m 超 10 m 以内と 10 m 超の限度: 3 と 2 時間、4 と 2.5 時間、5 と 3 時間。北海道は 2 と 1.5 時間、3 と 2 時間、4 と 2.5 時間</translation>
+    </message>
+    <message>
+        <source>Triggers: eaves above 7 m or 3 storeys and more (plane of 1.5 m), above 10 m (planes of 4 and 6.5 m)</source>
+        <translation>対象: 軒高 7 m 超または 3 階以上 (測定面 1.5 m)、高さ 10 m 超 (測定面 4 m、6.5 m)</translation>
+    </message>
+    <message>
+        <source>The parcel line moves out by half the width of a road of at most 10 m, else to 5 m inside its far side</source>
+        <translation>敷地境界線は、幅 10 m 以下の道路ではその幅の半分だけ外側に、それ以外では反対側から 5 m の線まで移ります</translation>
+    </message>
+    <message>
+        <source>Sheets: hourly (half-hourly) shadows, isochrones, 5 m and 10 m lines, designated points; island shadows must not be missed</source>
+        <translation>図面: 1 時間ごと (30 分ごと) の日影図、等時間日影図、5 m と 10 m の線、指定点。島日影を見落とさないこと</translation>
+    </message>
+    <message>
+        <source>The triggers (eaves, storeys, zone): choose plane and limits</source>
+        <translation>対象の条件 (軒高、階数、用途地域): 測定面と限度を選択</translation>
+    </message>
+    <message>
+        <source>Roads, water and railways along the parcels that the project does not state; edges set back more than 1 m are taken to be on none</source>
+        <translation>プロジェクトにない敷地沿いの道路、水面、線路。1 m を超えて後退した辺はいずれにも接しないものとします</translation>
+    </message>
+    <message>
+        <source>Designated points</source>
+        <translation>指定点</translation>
+    </message>
+    <message>
+        <source>The winter solstice is 21 December.</source>
+        <translation>冬至は 12 月 21 日です。</translation>
+    </message>
+    <message>
+        <source>The places are the parcels; Noonmark measures the belts around them.</source>
+        <translation>場所は敷地で、Noonmark はその周囲の範囲を測定します。</translation>
+    </message>
+    <message>
+        <source>The mean ground is the height 0 of the project&apos;s plane, unless the project has terrain.</source>
+        <translation>プロジェクトに地形がなければ、平均地盤面はプロジェクト平面の高さ 0 です。</translation>
+    </message>
+    <message>
+        <source>Shadow of the proposal on a plane above the mean ground on the winter solstice, between the 5 m and 10 m lines around the parcel and beyond them.</source>
+        <translation>冬至に平均地盤面上の測定面に落ちる計画案の影。敷地から 5 m と 10 m の線の間と、その外側。</translation>
+    </message>
+    <message>
+        <source>Sun in total from 8 to 16 h</source>
+        <translation>8 時から 16 時の日照の合計</translation>
+    </message>
+    <message>
+        <source>Unbroken sun from 9 to 15 h</source>
+        <translation>9 時から 15 時の連続日照</translation>
+    </message>
+    <message>
+        <source>Windows of schools and playgrounds within 200 m</source>
+        <translation>200 m 以内の学校の窓と遊び場</translation>
+    </message>
+    <message>
+        <source>One of the two is enough.</source>
+        <translation>どちらか一方で足ります。</translation>
+    </message>
+    <message>
+        <source>On the winter solstice at least 4 h of sun in total from 8 to 16 h, or 2 h unbroken from 9 to 15 h.</source>
+        <translation>冬至に 8 時から 16 時で合計 4 時間以上、または 9 時から 15 時で連続 2 時間以上の日照。</translation>
+    </message>
+    <message>
+        <source>park type</source>
+        <translation>公園の類型</translation>
+    </message>
+    <message>
+        <source>1 or 2</source>
+        <translation>1 または 2</translation>
+    </message>
+    <message>
+        <source>3</source>
+        <translation>3</translation>
+    </message>
+    <message>
+        <source>Minutes with added shadow anywhere</source>
+        <translation>どこかに追加の影がある分数</translation>
+    </message>
+    <message>
+        <source>Added shadow enters</source>
+        <translation>追加の影の開始</translation>
+    </message>
+    <message>
+        <source>Added shadow exits</source>
+        <translation>追加の影の終了</translation>
+    </message>
+    <message>
+        <source>No added shadow from 10 to 15 h on 21 June; type 3 from 10 to 14 h. As proposed</source>
+        <translation>6 月 21 日の 10 時から 15 時に追加の影なし。類型 3 は 10 時から 14 時。提案のとおり</translation>
+    </message>
+    <message>
+        <source>The type of the park: choose the option</source>
+        <translation>公園の類型: 選択肢を選んでください</translation>
+    </message>
+    <message>
+        <source>The figures are those proposed, not those adopted.</source>
+        <translation>数値は提案されたもので、採択されたものではありません。</translation>
+    </message>
+    <message>
+        <source>No added shadow on parks from 10 to 15 h on 21 June (type 3: to 14 h).</source>
+        <translation>6 月 21 日の 10 時から 15 時 (類型 3 は 14 時まで)、公園に追加の影なし。</translation>
+    </message>
+    <message>
+        <source>Share of the park with 8 consecutive hours of sun</source>
+        <translation>連続 8 時間の日照がある公園の割合</translation>
+    </message>
+    <message>
+        <source>equinox</source>
+        <translation>春分・秋分</translation>
+    </message>
+    <message>
+        <source>Share with 8 h of sun</source>
+        <translation>日照 8 時間の割合</translation>
+    </message>
+    <message>
+        <source>The equinox is 21 March.</source>
+        <translation>春分は 3 月 21 日です。</translation>
+    </message>
+    <message>
+        <source>Half of a park is half of its area.</source>
+        <translation>公園の半分とは面積の半分です。</translation>
+    </message>
+    <message>
+        <source>On the equinox, 8 consecutive hours of sun within 8-18 h on at least half of a park.</source>
+        <translation>春分・秋分に、公園の半分以上で 8-18 時の間に連続 8 時間の日照。</translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation>分</translation>
+    </message>
+    <message>
+        <source>150</source>
+        <translation>150</translation>
+    </message>
+    <message>
+        <source>90</source>
+        <translation>90</translation>
+    </message>
+    <message>
+        <source>Consecutive sun at the worst spot of the street</source>
+        <translation>道路の最悪の点の連続日照</translation>
+    </message>
+    <message>
+        <source>Street</source>
+        <translation>道路</translation>
+    </message>
+    <message>
+        <source>Least consecutive sun, min</source>
+        <translation>最少の連続日照、分</translation>
+    </message>
+    <message>
+        <source>150 (90) consecutive minutes of sun; the figures at hand do not say where 90 holds</source>
+        <translation>連続 150 (90) 分の日照。90 が適用される所は手元の資料にありません</translation>
+    </message>
+    <message>
+        <source>Whether a street runs east-west: choose the places</source>
+        <translation>道路が東西方向かどうか: 場所を選んでください</translation>
+    </message>
+    <message>
+        <source>Where 90 minutes hold instead of 150: choose the option</source>
+        <translation>150 分でなく 90 分が適用される所: 選択肢を選んでください</translation>
+    </message>
+    <message>
+        <source>Every spot of the street must have the sun: the figures at hand do not say which line or share of a street counts.</source>
+        <translation>道路のすべての点に日照が必要です。手元の資料には、道路のどの線や割合を数えるかが示されていません。</translation>
+    </message>
+    <message>
+        <source>On the equinox, 150 consecutive minutes of sun within 12-15 h on east-west streets.</source>
+        <translation>春分・秋分に、東西方向の道路で 12-15 時の間に連続 150 分の日照。</translation>
+    </message>
+    <message>
+        <source>where</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>elsewhere, 3 h</source>
+        <translation>その他、3 時間</translation>
+    </message>
+    <message>
+        <source>metropolitan, 2 h</source>
+        <translation>大都市圏、2 時間</translation>
+    </message>
+    <message>
+        <source>Sun in the flat</source>
+        <translation>住戸の日照</translation>
+    </message>
+    <message>
+        <source>Any sun in the flat</source>
+        <translation>住戸に少しでも日照</translation>
+    </message>
+    <message>
+        <source>1 m² for at least 15 min counts</source>
+        <translation>1 m² が 15 分以上で数えます</translation>
+    </message>
+    <message>
+        <source>That the sun is in living rooms and on balconies both</source>
+        <translation>日照が居間とバルコニーの両方にあること</translation>
+    </message>
+    <message>
+        <source>That 1 m² is lit</source>
+        <translation>1 m² に日が当たること</translation>
+    </message>
+    <message>
+        <source>Plan diagrams</source>
+        <translation>平面の図</translation>
+    </message>
+    <message>
+        <source>Times of less than 15 min do not count.</source>
+        <translation>15 分未満の時間は数えません。</translation>
+    </message>
+    <message>
+        <source>A flat has the sun of all of its windows, where one of them has it: name the flats in the file of windows (field dwelling). Windows without one are flats of their own.</source>
+        <translation>住戸の日照は、いずれかの窓に日照があればよいものとします。窓のファイルで住戸を示してください (フィールド dwelling)。ない窓はそれ自体を一住戸とします。</translation>
+    </message>
+    <message>
+        <source>A building passes by its shares; each flat has its own verdict besides.</source>
+        <translation>建物は割合で判定し、各住戸にもそれぞれの判定があります。</translation>
+    </message>
+    <message>
+        <source>Flats with enough sun</source>
+        <translation>日照が足りる住戸</translation>
+    </message>
+    <message>
+        <source>Flats with some sun</source>
+        <translation>日照が少しある住戸</translation>
+    </message>
+    <message>
+        <source>At least 70 % of the flats of a building have 2 h of sun from 9 to 15 h on 21 June in living rooms and on balconies (3 h outside the metropolis); at most 15 % have none.</source>
+        <translation>6 月 21 日の 9 時から 15 時に、建物の住戸の 70 % 以上が居間とバルコニーで 2 時間の日照 (大都市圏外は 3 時間)。日照のない住戸は 15 % 以内。</translation>
+    </message>
+    <message>
+        <source>All sun gone, min</source>
+        <translation>日照の消失、分</translation>
+    </message>
+    <message>
+        <source>One hour is an example, not a figure of any board.</source>
+        <translation>1 時間は例であり、どの当局の数値でもありません。</translation>
+    </message>
+    <message>
+        <source>A start for a rule of your own: copy it, change it, and put it into your own folder of rules.</source>
+        <translation>独自の規定の出発点: 複製し、変更して、自分の規定フォルダーに入れてください。</translation>
+    </message>
+    <message>
+        <source>use</source>
+        <translation>用途</translation>
+    </message>
+    <message>
+        <source>homes</source>
+        <translation>住宅</translation>
+    </message>
+    <message>
+        <source>homes in an inner city</source>
+        <translation>都心の住宅</translation>
+    </message>
+    <message>
+        <source>schools</source>
+        <translation>学校</translation>
+    </message>
+    <message>
+        <source>That one room of a flat is enough: each room is evaluated by itself</source>
+        <translation>住戸の一室で足りること: 各部屋を個別に評価します</translation>
+    </message>
+    <message>
+        <source>The sun may be broken up. Times through several openings of a room add up where they are not at the same moment: name the rooms in the file of windows (field room).</source>
+        <translation>日照は分かれていてもかまいません。一部屋の複数の開口の時間は、同時でなければ合計します。窓のファイルで部屋を示してください (フィールド room)。</translation>
+    </message>
+    <message>
+        <source>At least 3 h of sun on the days of the equinoxes: homes from 7 to 17 h, schools from 8 to 16 h; 1.5 h in inner cities.</source>
+        <translation>春分と秋分に 3 時間以上の日照: 住宅は 7 時から 17 時、学校は 8 時から 16 時。都心では 1.5 時間。</translation>
+    </message>
+    <message>
+        <source>Share of the territory with 2 h of sun, or 2.5 h broken up</source>
+        <translation>日照 2 時間、または分かれて 2.5 時間の敷地の割合</translation>
+    </message>
+    <message>
+        <source>Territory</source>
+        <translation>敷地</translation>
+    </message>
+    <message>
+        <source>Share with the sun</source>
+        <translation>日照のある割合</translation>
+    </message>
+    <message>
+        <source>Least sun, h:min</source>
+        <translation>最少日照、時:分</translation>
+    </message>
+    <message>
+        <source>Intervals</source>
+        <translation>区間数</translation>
+    </message>
+    <message>
+        <source>2 h unbroken (by zone and number of rooms)</source>
+        <translation>連続 2 時間 (地域と部屋数による)</translation>
+    </message>
+    <message>
+        <source>Broken up: 0.5 h more, one part of at least 1 h</source>
+        <translation>分かれる場合: 0.5 時間増し、1 時間以上の区間を含む</translation>
+    </message>
+    <message>
+        <source>Output: h:min, number of intervals, share of territory</source>
+        <translation>出力: 時:分、区間数、敷地の割合</translation>
+    </message>
+    <message>
+        <source>Rooms and windows</source>
+        <translation>部屋と窓</translation>
+    </message>
+    <message>
+        <source>Other zones: change the days and hours in a rule of your own</source>
+        <translation>その他の地域: 独自の規定で日と時間を変更</translation>
+    </message>
+    <message>
+        <source>Every break counts, also one of a single step of 5 min: the sun before and after it are two parts.</source>
+        <translation>5 分の 1 ステップでも途切れは数え、前後の日照は二区間とします。</translation>
+    </message>
+    <message>
+        <source>Every day of the range is evaluated; the smallest share counts.</source>
+        <translation>期間のすべての日を評価し、最小の割合を用います。</translation>
+    </message>
+    <message>
+        <source>The figures at hand state no share that a territory must reach, so there are figures and no verdict.</source>
+        <translation>手元の資料には敷地が満たすべき割合がないため、数値のみで判定はありません。</translation>
+    </message>
+    <message>
+        <source>From 22 April to 22 August, the share of a territory with 2 h of unbroken sun, or 2.5 h broken up with one part of at least 1 h.</source>
+        <translation>4 月 22 日から 8 月 22 日に、連続 2 時間、または 1 時間以上の区間を含めて合計 2.5 時間の日照がある敷地の割合。</translation>
+    </message>
+    <message>
+        <source>2 h of unbroken sun, or 2.5 h broken up</source>
+        <translation>連続 2 時間、または分かれて 2.5 時間の日照</translation>
+    </message>
+    <message>
+        <source>Output: h:min and number of intervals</source>
+        <translation>出力: 時:分と区間数</translation>
+    </message>
+    <message>
+        <source>How many rooms of a flat must have it</source>
+        <translation>住戸の何部屋に必要か</translation>
+    </message>
+    <message>
+        <source>Other zones: change the days in a copy of the rule</source>
+        <translation>その他の地域: 規定の複製で日を変更</translation>
+    </message>
+    <message>
+        <source>From 22 April to 22 August at least 2 h of unbroken sun, or 2.5 h broken up with one part of at least 1 h.</source>
+        <translation>4 月 22 日から 8 月 22 日に、連続 2 時間、または 1 時間以上の区間を含めて合計 2.5 時間以上の日照。</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>日</translation>
+    </message>
+    <message>
+        <source>every day</source>
+        <translation>毎日</translation>
+    </message>
+    <message>
+        <source>mirrored half year</source>
+        <translation>折り返しの半年</translation>
+    </message>
+    <message>
+        <source>Net new shadow of the year</source>
+        <translation>年間の正味の新しい影</translation>
+    </message>
+    <message>
+        <source>Existing shadow, sq ft h</source>
+        <translation>既存の影、sq ft h</translation>
+    </message>
+    <message>
+        <source>Shadow with project, sq ft h</source>
+        <translation>計画ありの影、sq ft h</translation>
+    </message>
+    <message>
+        <source>Net new shadow, sq ft h</source>
+        <translation>正味の新しい影、sq ft h</translation>
+    </message>
+    <message>
+        <source>Share of the theoretical sum</source>
+        <translation>理論合計に占める割合</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>Largest area, sq ft</source>
+        <translation>最大面積、sq ft</translation>
+    </message>
+    <message>
+        <source>Trigger: buildings of more than 40 ft</source>
+        <translation>対象: 40 ft を超える建物</translation>
+    </message>
+    <message>
+        <source>Hours: from 1 h after sunrise to 1 h before sunset, every day of the year</source>
+        <translation>時間帯: 年間毎日、日の出 1 時間後から日没 1 時間前</translation>
+    </message>
+    <message>
+        <source>Theoretical annual available sunlight: area x 3,721.4 h</source>
+        <translation>年間の理論日照: 面積 x 3,721.4 時間</translation>
+    </message>
+    <message>
+        <source>Own count of the same hours: 3,720.9</source>
+        <translation>同じ時間の独自の集計: 3,720.9</translation>
+    </message>
+    <message>
+        <source>Samples of 15 min, mirrored half year</source>
+        <translation>15 分ごとの標本、折り返しの半年</translation>
+    </message>
+    <message>
+        <source>Absolute limits of single parks and qualitative criteria</source>
+        <translation>個々の公園の絶対的な限度と定性的な基準</translation>
+    </message>
+    <message>
+        <source>Cumulative projects: run the rule again with a scenario that holds them</source>
+        <translation>累積する計画: それらを含むシナリオで規定を再度実行</translation>
+    </message>
+    <message>
+        <source>Opening hours of the park</source>
+        <translation>公園の開園時間</translation>
+    </message>
+    <message>
+        <source>The trigger (height of the proposal)</source>
+        <translation>対象の条件 (計画案の高さ)</translation>
+    </message>
+    <message>
+        <source>The figures at hand state no numeric limit, so there are figures and no verdict.</source>
+        <translation>手元の資料に数値の限度がないため、数値のみで判定はありません。</translation>
+    </message>
+    <message>
+        <source>Shadow on a park over a whole year in square-foot-hours, as a share of the theoretical annual available sunlight.</source>
+        <translation>公園の年間の影 (平方フィート時)、年間の理論日照に占める割合。</translation>
+    </message>
+    <message>
+        <source>Possible sun</source>
+        <translation>可能日照</translation>
+    </message>
+    <message>
+        <source>What the rule allows where the norm is missed already</source>
+        <translation>すでに基準を満たさない所で規定が許すこと</translation>
+    </message>
+    <message>
+        <source>The days and hours are those of the light norm of TNO; the point is on the facade, 0.75 m above the floor.</source>
+        <translation>日と時間は TNO の緩い基準のもので、点は外壁面、床から 0.75 m です。</translation>
+    </message>
+    <message>
+        <source>The sun may be broken up; the worst day decides.</source>
+        <translation>日照は分かれていてもよく、最悪の日で判定します。</translation>
+    </message>
+    <message>
+        <source>At least 2 h of possible sun on every day from 19 February to 21 October on the facade, with the sun above 10 degrees.</source>
+        <translation>2 月 19 日から 10 月 21 日の毎日、外壁面で太陽高度 10 度超の可能日照 2 時間以上。</translation>
+    </message>
+    <message>
+        <source>The middle of the sill, inside the glass, usually 0.75 m above the floor</source>
+        <translation>窓台の中央、ガラスの内側、通常は床から 0.75 m</translation>
+    </message>
+    <message>
+        <source>Which facade is that of the living room</source>
+        <translation>どの外壁面が居間のものか</translation>
+    </message>
+    <message>
+        <source>The glass is taken 0.1 m behind the face of the wall (opening.wall_m), and the edges of that opening hide the sun.</source>
+        <translation>ガラスは壁面から 0.1 m 奥 (opening.wall_m) とし、開口の縁が太陽を隠します。</translation>
+    </message>
+    <message>
+        <source>At least 2 h of possible sun on every day from 19 February to 21 October, in the middle of the sill.</source>
+        <translation>2 月 19 日から 10 月 21 日の毎日、窓台の中央で可能日照 2 時間以上。</translation>
+    </message>
+    <message>
+        <source>At least 3 h of possible sun on every day from 21 January to 22 November, in the middle of the sill.</source>
+        <translation>1 月 21 日から 11 月 22 日の毎日、窓台の中央で可能日照 3 時間以上。</translation>
+    </message>
+    <message>
+        <source>Hourly from 9:18 to 18:18 (local mean noon)</source>
+        <translation>9:18 から 18:18 まで 1 時間ごと (地方平均正午)</translation>
+    </message>
+    <message>
+        <source>Diagrams on 21 March, June and September</source>
+        <translation>3 月、6 月、9 月の 21 日の図</translation>
+    </message>
+    <message>
+        <source>Diagrams on 21 December</source>
+        <translation>12 月 21 日の図</translation>
+    </message>
+    <message>
+        <source>On 21 December the hours are those of the wall clock too.</source>
+        <translation>12 月 21 日も時間は時計の時刻です。</translation>
+    </message>
+    <message>
+        <source>Hourly diagrams from 9:18 to 18:18 on 21 March, June and September.</source>
+        <translation>3 月、6 月、9 月の 21 日、9:18 から 18:18 まで 1 時間ごとの図。</translation>
+    </message>
+    <message>
+        <source>The figures at hand state no limit, so there are figures and no verdict.</source>
+        <translation>手元の資料に限度がないため、数値のみで判定はありません。</translation>
+    </message>
+    <message>
+        <source>The equinoxes are 21 March and 21 September.</source>
+        <translation>春分と秋分は 3 月 21 日と 9 月 21 日です。</translation>
+    </message>
+    <message>
+        <source>Shadow on parks and schoolyards within 10-16 h daylight time, from the spring to the autumn equinox.</source>
+        <translation>春分から秋分まで、夏時間 10-16 時の公園と校庭の影。</translation>
+    </message>
+    <message>
+        <source>Area with more than 3 h of shadow, and more than by the body within the zoning</source>
+        <translation>3 時間を超え、かつ許容建物形状による影より多い影の面積</translation>
+    </message>
+    <message>
+        <source>Shadow at the worst spot</source>
+        <translation>最悪の点の影</translation>
+    </message>
+    <message>
+        <source>mean winter day</source>
+        <translation>平均的な冬の日</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>住宅</translation>
+    </message>
+    <message>
+        <source>Area with more than 3 h and more than before, m²</source>
+        <translation>3 時間超かつ以前より多い面積、m²</translation>
+    </message>
+    <message>
+        <source>Shadow at the worst spot, min</source>
+        <translation>最悪の点の影、分</translation>
+    </message>
+    <message>
+        <source>Trigger: buildings of more than 25 m</source>
+        <translation>対象: 25 m を超える建物</translation>
+    </message>
+    <message>
+        <source>Passes where a body within the zoning shades as much</source>
+        <translation>許容建物形状の影が同程度なら適合</translation>
+    </message>
+    <message>
+        <source>Facades of the homes: their ground is measured</source>
+        <translation>住宅の外壁面: その地面を測定します</translation>
+    </message>
+    <message>
+        <source>Whether the scenario &apos;from&apos; is a body within the zoning</source>
+        <translation>シナリオ &apos;from&apos; が許容建物形状かどうか</translation>
+    </message>
+    <message>
+        <source>The scenario &apos;from&apos; holds the body within the zoning, or nothing on the site.</source>
+        <translation>シナリオ &apos;from&apos; は許容建物形状、または敷地に何もない状態です。</translation>
+    </message>
+    <message>
+        <source>Shadow is counted minute by minute from 8 to 17 h; the diagrams show it by the hour.</source>
+        <translation>影は 8 時から 17 時まで 1 分ごとに数え、図は 1 時間ごとに示します。</translation>
+    </message>
+    <message>
+        <source>Each spot is compared with itself: it may have more than 3 h of shadow where the body within the zoning gives it as much. A spot within a minute of 3 h, for each time that shadow comes, is borderline.</source>
+        <translation>各点はそれ自身と比べます。許容建物形状が同程度の影を与える所では 3 時間を超えてもかまいません。影がかかるたびに 1 分として、3 時間との差がその範囲の点は境界とします。</translation>
+    </message>
+    <message>
+        <source>The shadow that the hill casts without any building is not the tower&apos;s: it is not counted.</source>
+        <translation>建物がなくても丘が落とす影はタワーのものではなく、数えません。</translation>
+    </message>
+    <message>
+        <source>Buildings of more than 25 m: at most 3 h of shadow on neighbours&apos; homes on 3 November and 8 February, or no more than a body within the zoning.</source>
+        <translation>25 m を超える建物: 11 月 3 日と 2 月 8 日に隣接する住宅への影が 3 時間以内、または許容建物形状による影以内。</translation>
     </message>
 </context>
 <context>
@@ -5746,6 +6906,1674 @@ Opens the panel Review.</source>
         <source>Any country</source>
         <translation>すべての国</translation>
     </message>
+    <message>
+        <source>Source of height</source>
+        <translation>高さの出典</translation>
+    </message>
+    <message>
+        <source>of the highest part of each building; counts are of the whole city</source>
+        <translation>各建物の最も高い部分の出典。数は都市全体</translation>
+    </message>
+    <message>
+        <source>Where the heights come from</source>
+        <translation>高さの由来</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>項目</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>地図</translation>
+    </message>
+    <message>
+        <source>Definitions</source>
+        <translation>定義</translation>
+    </message>
+    <message>
+        <source>Method and sources</source>
+        <translation>方法と出典</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>数値</translation>
+    </message>
+    <message>
+        <source>Scenarios side by side</source>
+        <translation>シナリオを並べて表示</translation>
+    </message>
+    <message>
+        <source>%1 on one scale.</source>
+        <translation>%1 を同じ目盛で表示。</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2.</source>
+        <translation>%2 件中の最初の %1 件。</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> 分/日</translation>
+    </message>
+    <message>
+        <source>Contributions</source>
+        <translation>寄与</translation>
+    </message>
+    <message>
+        <source>Sole contribution of each new building: against the scenario without it</source>
+        <translation>新しい建物ごとの単独の寄与: その建物がないシナリオとの比較</translation>
+    </message>
+    <message>
+        <source>Months</source>
+        <translation>月</translation>
+    </message>
+    <message>
+        <source> by month</source>
+        <translation> (月別)</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>重み</translation>
+    </message>
+    <message>
+        <source>shadow of the proposal alone</source>
+        <translation>計画案だけの影</translation>
+    </message>
+    <message>
+        <source>hours of shadow</source>
+        <translation>日影時間</translation>
+    </message>
+    <message>
+        <source>limit of the rule</source>
+        <translation>規定の限度</translation>
+    </message>
+    <message>
+        <source>distance from the parcel</source>
+        <translation>敷地からの距離</translation>
+    </message>
+    <message>
+        <source>existing shadow</source>
+        <translation>既存の影</translation>
+    </message>
+    <message>
+        <source>incremental shadow</source>
+        <translation>増加日影</translation>
+    </message>
+    <message>
+        <source>sun gained</source>
+        <translation>増えた日照</translation>
+    </message>
+    <message>
+        <source>proposal</source>
+        <translation>計画案</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>撤去</translation>
+    </message>
+    <message>
+        <source>building</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>open below</source>
+        <translation>下部が開放</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>Heights in %1 above the ground.</source>
+        <translation>高さは地面から %1。</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>フィート</translation>
+    </message>
+    <message>
+        <source> Numbers in a white field name the places above.</source>
+        <translation> 白地の数字は上の場所を示します。</translation>
+    </message>
+    <message>
+        <source> White lines: streets of the project.</source>
+        <translation> 白い線: プロジェクトの道路。</translation>
+    </message>
+    <message>
+        <source> Pale colours: streets, water and parks of the map.</source>
+        <translation> 淡い色: 地図の道路、水面、公園。</translation>
+    </message>
+    <message>
+        <source>on %1</source>
+        <translation>%1 で</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>不適合</translation>
+    </message>
+    <message>
+        <source>verdict gets worse</source>
+        <translation>判定が悪化</translation>
+    </message>
+    <message>
+        <source>verdict gets better</source>
+        <translation>判定が改善</translation>
+    </message>
+    <message>
+        <source>north</source>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>north-east</source>
+        <translation>北東</translation>
+    </message>
+    <message>
+        <source>east</source>
+        <translation>東</translation>
+    </message>
+    <message>
+        <source>south-east</source>
+        <translation>南東</translation>
+    </message>
+    <message>
+        <source>south</source>
+        <translation>南</translation>
+    </message>
+    <message>
+        <source>south-west</source>
+        <translation>南西</translation>
+    </message>
+    <message>
+        <source>west</source>
+        <translation>西</translation>
+    </message>
+    <message>
+        <source>north-west</source>
+        <translation>北西</translation>
+    </message>
+    <message>
+        <source>Floors of %1 m</source>
+        <translation>階高 %1 m</translation>
+    </message>
+    <message>
+        <source>, of designed towers as designed</source>
+        <translation>、設計したタワーは設計のとおり</translation>
+    </message>
+    <message>
+        <source>continued</source>
+        <translation>続き</translation>
+    </message>
+    <message>
+        <source>Language of sheets</source>
+        <translation>図面の言語</translation>
+    </message>
+    <message>
+        <source>Language of the texts, numbers and dates of sheets: en, de, es or ja (default: that of the window, English on the command line). Files for programs are the same in every language</source>
+        <translation>図面の文章、数値、日付の言語: en、de、es、ja (既定: ウィンドウの言語、コマンドラインでは英語)。プログラム用のファイルはどの言語でも同じです</translation>
+    </message>
+    <message>
+        <source>Timelines of places</source>
+        <translation>場所の時系列</translation>
+    </message>
+    <message>
+        <source>Shadows are on a horizontal plane %1 m above the mean ground. </source>
+        <translation>影は平均地盤面から %1 m の水平面上です。 </translation>
+    </message>
+    <message>
+        <source>place: </source>
+        <translation>場所: </translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation>または</translation>
+    </message>
+    <message>
+        <source>Times: %1.</source>
+        <translation>時刻: %1。</translation>
+    </message>
+    <message>
+        <source> Edges of shadows follow cells of %1 m, because the ground is not level.</source>
+        <translation> 地面が平らでないため、影の縁は %1 m のセルに沿います。</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2. %3North is up.</source>
+        <translation>%1 と %2 の比較。%3上が北です。</translation>
+    </message>
+    <message>
+        <source>Shadow diagrams</source>
+        <translation>日影図</translation>
+    </message>
+    <message>
+        <source>Shadow fans</source>
+        <translation>影の扇形図</translation>
+    </message>
+    <message>
+        <source>All shadows of a day that the proposal would cast if it stood alone, %1. %2North is up.</source>
+        <translation>計画案だけが建つ場合の 1 日のすべての影、%1。%2上が北です。</translation>
+    </message>
+    <message>
+        <source>, %1 to %2</source>
+        <translation>、%1 から %2</translation>
+    </message>
+    <message>
+        <source>1:%1. Existing buildings do not hide these shadows</source>
+        <translation>1:%1。既存の建物はこれらの影を隠しません</translation>
+    </message>
+    <message>
+        <source>Lines of equal hours of shadow</source>
+        <translation>等時間日影線</translation>
+    </message>
+    <message>
+        <source>%1. Thick: limits of the rule. Dashed: distances from the parcel. North is up.</source>
+        <translation>%1。太線: 規定の限度。破線: 敷地からの距離。上が北です。</translation>
+    </message>
+    <message>
+        <source>Views from the sun</source>
+        <translation>太陽から見た図</translation>
+    </message>
+    <message>
+        <source>%1, without perspective, as the sun sees it: what is visible is sunlit, what is hidden is in shadow. The proposal is violet, places are green.</source>
+        <translation>%1、透視なし、太陽から見た姿: 見える所は日が当たり、隠れた所は影です。計画案は紫、場所は緑です。</translation>
+    </message>
+    <message>
+        <source>%1 pass, %2 borderline, %3 fail, %4 not applicable</source>
+        <translation>適合 %1、境界 %2、不適合 %3、対象外 %4</translation>
+    </message>
+    <message>
+        <source>%1 before: %2.</source>
+        <translation>%1 変更前: %2。</translation>
+    </message>
+    <message>
+        <source>%1 after: %2.</source>
+        <translation>%1 変更後: %2。</translation>
+    </message>
+    <message>
+        <source>%1 whose verdict gets worse: %2; better: %3.</source>
+        <translation>%1 のうち判定が悪化: %2、改善: %3。</translation>
+    </message>
+    <message>
+        <source>Summary</source>
+        <translation>概要</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>窓</translation>
+    </message>
+    <message>
+        <source>Buildings</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>Proposal: %1. Baseline: %2.</source>
+        <translation>計画案: %1。比較基準: %2。</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>未確認</translation>
+    </message>
+    <message>
+        <source>Fail before</source>
+        <translation>変更前の不適合</translation>
+    </message>
+    <message>
+        <source>Fail after</source>
+        <translation>変更後の不適合</translation>
+    </message>
+    <message>
+        <source>Worse</source>
+        <translation>悪化</translation>
+    </message>
+    <message>
+        <source>Verdict before</source>
+        <translation>変更前の判定</translation>
+    </message>
+    <message>
+        <source>Verdict after</source>
+        <translation>変更後の判定</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窓</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>階</translation>
+    </message>
+    <message>
+        <source>Faces, deg</source>
+        <translation>方位、度</translation>
+    </message>
+    <message>
+        <source>%1, before</source>
+        <translation>%1(以前)</translation>
+    </message>
+    <message>
+        <source>%1, after</source>
+        <translation>%1(以後)</translation>
+    </message>
+    <message>
+        <source>Sun before</source>
+        <translation>変更前の日照</translation>
+    </message>
+    <message>
+        <source>Sun after</source>
+        <translation>変更後の日照</translation>
+    </message>
+    <message>
+        <source>%1, clock: %2. Minutes, or percent where stated</source>
+        <translation>%1、時刻: %2。分、または表示のある所は %</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Engine: %1. Clock: %2, year %3; %4 steps of %5 min with the sun in the rule&apos;s hours.</source>
+        <translation>エンジン: %1。時刻: %2、%3 年。規定の時間内に太陽がある %5 分刻みの %4 ステップ。</translation>
+    </message>
+    <message>
+        <source>Each run of minutes is uncertain by a step, a sky component by %1 %. A value within its error of a limit is borderline, never pass.</source>
+        <translation>時間には 1 ステップ、天空光成分には %1 % の不確かさがあります。限度との差が誤差以内の値は境界とし、適合とはしません。</translation>
+    </message>
+    <message>
+        <source>The rule, as it was read</source>
+        <translation>規定の読み取り方</translation>
+    </message>
+    <message>
+        <source>Review of windows: </source>
+        <translation>窓の審査: </translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>表</translation>
+    </message>
+    <message>
+        <source>Windows at no building</source>
+        <translation>建物に属さない窓</translation>
+    </message>
+    <message>
+        <source>The building is new or changed</source>
+        <translation>建物は新しいか変更されています</translation>
+    </message>
+    <message>
+        <source>No former values</source>
+        <translation>以前の値なし</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>変化</translation>
+    </message>
+    <message>
+        <source>, scale locked</source>
+        <translation>、目盛固定</translation>
+    </message>
+    <message>
+        <source>Elevations: </source>
+        <translation>立面図: </translation>
+    </message>
+    <message>
+        <source>%1 and %2. %3. Colours beyond the ends of a scale are those of its ends.</source>
+        <translation>%1 と %2。%3。目盛の端を超える色は端の色です。</translation>
+    </message>
+    <message>
+        <source>Grey: no value. Seen square to the wall, from outside.</source>
+        <translation>灰色: 値なし。外側から壁に正対して見た図。</translation>
+    </message>
+    <message>
+        <source>Sun: azimuth %1°, altitude %2°</source>
+        <translation>太陽: 方位角 %1°、高度 %2°</translation>
+    </message>
+    <message>
+        <source>Without perspective, as the sun sees it: what is visible is sunlit, what is hidden is in shadow. New and changed buildings are violet. Clock: %1.</source>
+        <translation>透視なし、太陽から見た姿: 見える所は日が当たり、隠れた所は影です。新しい建物と変更した建物は紫です。時刻: %1。</translation>
+    </message>
+    <message>
+        <source>on a plane %1 m above the mean ground</source>
+        <translation>平均地盤面から %1 m の面上</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>Hours of shadow in the rule&apos;s hours, %1, on cells of %2 m</source>
+        <translation>規定の時間内の日影時間、%1、%2 m のセル</translation>
+    </message>
+    <message>
+        <source>Shadow review: </source>
+        <translation>日影審査: </translation>
+    </message>
+    <message>
+        <source>Engine: %1. Receivers: centres of the square cells of %2 m that the places touch, each weighed by its share of the place, not under a building of baseline or proposal.</source>
+        <translation>エンジン: %1。測定点: 場所にかかる %2 m 四方のセルの中心。場所に占める割合で重み付けし、比較基準や計画案の建物の下は除きます。</translation>
+    </message>
+    <message>
+        <source>Time: %1, %2 of %3 min with the sun in the rule&apos;s hours. Clock: %4.</source>
+        <translation>時間: %1、規定の時間内に太陽がある %3 分刻みの %2。時刻: %4。</translation>
+    </message>
+    <message>
+        <source>Sun: ERFA, topocentric, seen from %1; apparent altitude, with refraction.</source>
+        <translation>太陽: ERFA、地心でなく %1 から見た位置。見かけの高度、大気差を含む。</translation>
+    </message>
+    <message>
+        <source>Frame: metres to the east and true north of %1 (WGS84).</source>
+        <translation>座標: %1 (WGS84) から東と真北へのメートル。</translation>
+    </message>
+    <message>
+        <source>Incremental shadow lies on what is sunlit in the baseline; sun gained is the reverse.</source>
+        <translation>増加日影は比較基準で日が当たる所にできる影、増えた日照はその逆です。</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>誤差</translation>
+    </message>
+    <message>
+        <source>The outlines in diagrams are exact unions of projected buildings where the ground is level; the figures come from the cells.</source>
+        <translation>図の輪郭は、地面が平らな所では投影した建物の正確な和です。数値はセルによります。</translation>
+    </message>
+    <message>
+        <source>Not modelled</source>
+        <translation>モデル化していないもの</translation>
+    </message>
+    <message>
+        <source>Small structures and penumbra; the sun is a point at the centre of its disc.</source>
+        <translation>小さな構造物と半影。太陽は円盤の中心の点とします。</translation>
+    </message>
+    <message>
+        <source>. Diagrams show the shadows of buildings and terrain.</source>
+        <translation>。図には建物と地形の影を示します。</translation>
+    </message>
+    <message>
+        <source> without a name</source>
+        <translation> (名称なし)</translation>
+    </message>
+    <message>
+        <source>   ... further numbers: see the summary</source>
+        <translation>   ... その他の番号: 概要を参照</translation>
+    </message>
+    <message>
+        <source>Of %1 places %2 are listed one by one; the numbers are those of the diagrams. Places of less than %3 without a name are listed together. Timelines are of places that fail or are borderline. review.csv has all places; the option --all-pages prints them.</source>
+        <translation>%1 か所のうち %2 か所を個別に載せます。番号は図のものです。%3 未満で名称のない場所はまとめます。時系列は不適合と境界の場所です。すべての場所は review.csv にあり、オプション --all-pages で印刷します。</translation>
+    </message>
+    <message>
+        <source>Clock: %1, year %2. Engine: %3, every %4 min, cells of %5 m. %6.</source>
+        <translation>時刻: %1、%2 年。エンジン: %3、%4 分ごと、セル %5 m。%6。</translation>
+    </message>
+    <message>
+        <source>Figures only: the sun is not up at the rule&apos;s times, so no diagram is drawn.</source>
+        <translation>数値のみ: 規定の時刻に太陽が出ていないため、図はありません。</translation>
+    </message>
+    <message>
+        <source>Places without new shadow</source>
+        <translation>新しい影のない場所</translation>
+    </message>
+    <message>
+        <source>%1 further places with names</source>
+        <translation>名称のあるその他の場所 %1 か所</translation>
+    </message>
+    <message>
+        <source>%1 without a name</source>
+        <translation>名称のない%1</translation>
+    </message>
+    <message>
+        <source>Nothing is stated as unchecked.</source>
+        <translation>未確認の項目はありません。</translation>
+    </message>
+    <message>
+        <source>Sums over the days of the rule</source>
+        <translation>規定の日の合計</translation>
+    </message>
+    <message>
+        <source>%1: existing shadow %2 of the theoretical sun; incremental %3; most on %4.</source>
+        <translation>%1: 既存の影は理論日照の %2、増加 %3、最大の日は %4。</translation>
+    </message>
+    <message>
+        <source>no day</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>the most incremental shadow on %1 (%2) at one moment</source>
+        <translation>%1 (%2) の増加日影が最大となる瞬間</translation>
+    </message>
+    <message>
+        <source>Numbers in a white field: places of the table.</source>
+        <translation>白地の数字: 表の場所。</translation>
+    </message>
+    <message>
+        <source>Verdicts</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Verdicts, continued</source>
+        <translation>判定 (続き)</translation>
+    </message>
+    <message>
+        <source>Rule used in: %1. Site: %2.</source>
+        <translation>規則の適用地: %1。敷地: %2。</translation>
+    </message>
+    <message>
+        <source>. %1 days without incremental shadow are in review.csv only</source>
+        <translation>。増加日影のない %1 日は review.csv のみにあります</translation>
+    </message>
+    <message>
+        <source>. Of each month the day of most incremental shadow; %1 further days are in review.csv, and here with the option --all-pages</source>
+        <translation>。各月で追加の影が最も多い日。ほかの %1 日は review.csv に、またオプション --all-pages でここにあります</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places; review.csv has all</source>
+        <translation>%2 か所中 %1 か所。すべては review.csv にあります</translation>
+    </message>
+    <message>
+        <source>Table of the rule</source>
+        <translation>規定の表</translation>
+    </message>
+    <message>
+        <source>%1, clock: %2%3</source>
+        <translation>%1、時刻: %2%3</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>基準</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>測定値</translation>
+    </message>
+    <message>
+        <source>Former</source>
+        <translation>以前</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>限度</translation>
+    </message>
+    <message>
+        <source>Deciding day</source>
+        <translation>決め手の日</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>結果</translation>
+    </message>
+    <message>
+        <source> (does not decide)</source>
+        <translation> (判定に用いない)</translation>
+    </message>
+    <message>
+        <source>Former: the same in the baseline, where a limit compares with it</source>
+        <translation>以前: 限度が比較する場合の、比較基準での同じ値</translation>
+    </message>
+    <message>
+        <source>Criteria: the figures behind the verdicts</source>
+        <translation>基準: 判定の根拠の数値</translation>
+    </message>
+    <message>
+        <source>Theoretical sun</source>
+        <translation>理論日照</translation>
+    </message>
+    <message>
+        <source>Existing shadow</source>
+        <translation>既存の影</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>割合</translation>
+    </message>
+    <message>
+        <source>With proposal</source>
+        <translation>計画案あり</translation>
+    </message>
+    <message>
+        <source>Days with incremental shadow</source>
+        <translation>増加日影のある日数</translation>
+    </message>
+    <message>
+        <source>Day of most</source>
+        <translation>最大の日</translation>
+    </message>
+    <message>
+        <source>Duration on it</source>
+        <translation>その日の時間</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分</translation>
+    </message>
+    <message>
+        <source>Sums</source>
+        <translation>合計</translation>
+    </message>
+    <message>
+        <source>Over the days of the rule; shares of the theoretical sun</source>
+        <translation>規定の日について。理論日照に占める割合</translation>
+    </message>
+    <message>
+        <source>Days with shadow</source>
+        <translation>影のある日数</translation>
+    </message>
+    <message>
+        <source>Enters at the earliest</source>
+        <translation>最も早い開始</translation>
+    </message>
+    <message>
+        <source>Exits at the latest</source>
+        <translation>最も遅い終了</translation>
+    </message>
+    <message>
+        <source>Longest on a day</source>
+        <translation>1 日の最長</translation>
+    </message>
+    <message>
+        <source>Largest area</source>
+        <translation>最大面積</translation>
+    </message>
+    <message>
+        <source>Incremental shadow by season</source>
+        <translation>季節別の増加日影</translation>
+    </message>
+    <message>
+        <source>Seasons without incremental shadow are left out. Clock: %1</source>
+        <translation>増加日影のない季節は省きます。時刻: %1</translation>
+    </message>
+    <message>
+        <source>New building</source>
+        <translation>新しい建物</translation>
+    </message>
+    <message>
+        <source>share of the theoretical sun</source>
+        <translation>理論日照に占める割合</translation>
+    </message>
+    <message>
+        <source>of the proposal&apos;s shadow</source>
+        <translation>計画案の影に占める割合</translation>
+    </message>
+    <message>
+        <source>Sole contributions of the new buildings</source>
+        <translation>新しい建物の単独の寄与</translation>
+    </message>
+    <message>
+        <source>What each casts where the baseline and all others of the proposal leave the sun, over the days of the rule; shadow that two of them share is in neither row</source>
+        <translation>比較基準と計画案の他の建物が日照を残す所に各建物が落とす影、規定の日について。二つが共有する影はどの行にも含みません</translation>
+    </message>
+    <message>
+        <source>Points at no building</source>
+        <translation>建物に属さない点</translation>
+    </message>
+    <message>
+        <source>Elevations</source>
+        <translation>立面図</translation>
+    </message>
+    <message>
+        <source>, mean over the days</source>
+        <translation>、日平均</translation>
+    </message>
+    <message>
+        <source>Seen square to the wall, from outside.</source>
+        <translation>外側から壁に正対して見た図。</translation>
+    </message>
+    <message>
+        <source>Points on %1. %2.</source>
+        <translation>%1 上の点。%2。</translation>
+    </message>
+    <message>
+        <source>Rays at every step of the sun.</source>
+        <translation>太陽位置ごとの光線。</translation>
+    </message>
+    <message>
+        <source>Horizons of the points, in bins of a quarter of a degree.</source>
+        <translation>点ごとの地平線、四分の一度刻み。</translation>
+    </message>
+    <message>
+        <source>Chosen since %1.</source>
+        <translation>選択の理由: %1。</translation>
+    </message>
+    <message>
+        <source>Error against rays: %1.</source>
+        <translation>光線に対する誤差: %1。</translation>
+    </message>
+    <message>
+        <source>Hours of sun on %1</source>
+        <translation>%1 の日照時間</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>出典</translation>
+    </message>
+    <message>
+        <source>building %1</source>
+        <translation>建物 %1</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>地形</translation>
+    </message>
+    <message>
+        <source>Contributions of buildings</source>
+        <translation>建物の寄与</translation>
+    </message>
+    <message>
+        <source>%1 and the buildings that make most of the shadow</source>
+        <translation>%1 と最も影を落とす建物</translation>
+    </message>
+    <message>
+        <source>Numbers as in the table; buildings outside of the map are not shown</source>
+        <translation>番号は表のとおり。地図外の建物は表示しません</translation>
+    </message>
+    <message>
+        <source>Largest contributions</source>
+        <translation>最大の寄与</translation>
+    </message>
+    <message>
+        <source>Area x hours in shadow, by building</source>
+        <translation>建物別の面積 x 影の時間</translation>
+    </message>
+    <message>
+        <source>Numbers as in the table</source>
+        <translation>番号は表のとおり</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>番号</translation>
+    </message>
+    <message>
+        <source>Share of all shadow</source>
+        <translation>全日影に占める割合</translation>
+    </message>
+    <message>
+        <source>Other buildings: %1</source>
+        <translation>その他の建物: %1</translation>
+    </message>
+    <message>
+        <source>All shadow</source>
+        <translation>全日影</translation>
+    </message>
+    <message>
+        <source>Attributed: %1. Sole: %2. Area x hours over the whole period. Engine: %3. Rows below 0.1 % are added up; contributions.csv lists each.</source>
+        <translation>帰属: %1。単独: %2。全期間の面積 x 時間。エンジン: %3。0.1 % 未満の行は合算しています。すべては contributions.csv にあります。</translation>
+    </message>
+    <message>
+        <source>By building</source>
+        <translation>建物別</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>樹木</translation>
+    </message>
+    <message>
+        <source>Contributions of trees</source>
+        <translation>樹木の寄与</translation>
+    </message>
+    <message>
+        <source>What trees take of the sun that buildings leave, %1. The first %2 of %3; tree_contributions.csv lists each.</source>
+        <translation>建物が残す日照のうち樹木が遮る分、%1。%3 件中の最初の %2 件。すべては tree_contributions.csv にあります。</translation>
+    </message>
+    <message>
+        <source>By tree</source>
+        <translation>樹木別</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>結論</translation>
+    </message>
+    <message>
+        <source>How this was made</source>
+        <translation>計算の方法</translation>
+    </message>
+    <message>
+        <source>Cells of %1 m; places with fewer than %2 of them have cells of %3 m. Cells on the edge of a place count with the share of them that lies in it.</source>
+        <translation>セルは %1 m。セルが %2 個未満の場所では %3 m。場所の縁のセルは内側にある割合で数えます。</translation>
+    </message>
+    <message>
+        <source>Without any shadow there would be %1 h of sun a day.</source>
+        <translation>影がまったくなければ日照は 1 日 %1 時間です。</translation>
+    </message>
+    <message>
+        <source>Also measured with %1.</source>
+        <translation>%1 でも測定。</translation>
+    </message>
+    <message>
+        <source>Trees: %1.</source>
+        <translation>樹木: %1。</translation>
+    </message>
+    <message>
+        <source>Error of cells: %1. The error of each figure is in the table at the end.</source>
+        <translation>セルの誤差: %1。各項目の誤差は末尾の表にあります。</translation>
+    </message>
+    <message>
+        <source>The baseline is %1. Ground that is built on in any scenario counts in none.</source>
+        <translation>比較基準は %1 です。いずれかのシナリオで建物が建つ地面はどのシナリオでも数えません。</translation>
+    </message>
+    <message>
+        <source>minutes of shadow</source>
+        <translation>日影の分数</translation>
+    </message>
+    <message>
+        <source>hours of sun</source>
+        <translation>日照時間</translation>
+    </message>
+    <message>
+        <source>Shadow by place</source>
+        <translation>場所ごとの影</translation>
+    </message>
+    <message>
+        <source> a day</source>
+        <translation> /日</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Change of sun by place: </source>
+        <translation>場所別の日照の変化: </translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>1 日の日照 (分)</translation>
+    </message>
+    <message>
+        <source> on this day</source>
+        <translation> (この日)</translation>
+    </message>
+    <message>
+        <source>mean %1 a day</source>
+        <translation>平均 1 日 %1</translation>
+    </message>
+    <message>
+        <source>   Further places: table, %1 and on.</source>
+        <translation>   その他の場所: 表の %1 以降。</translation>
+    </message>
+    <message>
+        <source>Places by their %1</source>
+        <translation>%1 による場所</translation>
+    </message>
+    <message>
+        <source>Numbers as in the key and the table; a number that would cover another one is left out. Outlines without colour: places without figures.</source>
+        <translation>番号は凡例と表のとおり。ほかの番号に重なるものは省きます。色のない輪郭は値のない場所です。</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow by place</source>
+        <translation>場所別の日影の分数</translation>
+    </message>
+    <message>
+        <source>Hours of sun by place</source>
+        <translation>場所別の日照時間</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>場所ごとの日照の変化</translation>
+    </message>
+    <message>
+        <source>change of mean sun a day against %1, minutes</source>
+        <translation>%1 に対する 1 日平均日照の変化、分</translation>
+    </message>
+    <message>
+        <source>, min</source>
+        <translation>、分</translation>
+    </message>
+    <message>
+        <source>%1, %2, min</source>
+        <translation>%1、%2、分</translation>
+    </message>
+    <message>
+        <source>Change of mean shadow, min</source>
+        <translation>平均日影の変化、分</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Below, %1</source>
+        <translation>未満、%1</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>備考</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>with least sun</source>
+        <translation>日照の最も少ない</translation>
+    </message>
+    <message>
+        <source>that lose most to the first scenario</source>
+        <translation>最初のシナリオで最も失う</translation>
+    </message>
+    <message>
+        <source>All %1, those %2 first.</source>
+        <translation>全 %1、%2 ものから。</translation>
+    </message>
+    <message>
+        <source>The %1 of %2 %3; all of them are in places.csv.</source>
+        <translation>%2 中 %3 %1 件。すべては places.csv にあります。</translation>
+    </message>
+    <message>
+        <source> The figures are those of %1; changes are from %2.</source>
+        <translation> 値は %1、変化は %2 に対するものです。</translation>
+    </message>
+    <message>
+        <source>Errors against the ray reference, on a sample</source>
+        <translation>光線基準に対する誤差 (標本)</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>対象</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>99 of 100 within</source>
+        <translation>100 のうち 99 が以内</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>値の数</translation>
+    </message>
+    <message>
+        <source>Not measured.</source>
+        <translation>測定していません。</translation>
+    </message>
+    <message>
+        <source>No month has a day that counts</source>
+        <translation>対象となる日がある月はありません</translation>
+    </message>
+    <message>
+        <source>100 % of the place</source>
+        <translation>場所の 100 %</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>未集計</translation>
+    </message>
+    <message>
+        <source>The sun is not up in the hours of the rule</source>
+        <translation>規定の時間に太陽が出ていません</translation>
+    </message>
+    <message>
+        <source>%1   not counted</source>
+        <translation>%1   対象外</translation>
+    </message>
+    <message>
+        <source>the scenario&apos;s shadow</source>
+        <translation>シナリオの影</translation>
+    </message>
+    <message>
+        <source>the baseline&apos;s shadow</source>
+        <translation>比較基準の影</translation>
+    </message>
+    <message>
+        <source>%1   %2 % of the place in %3</source>
+        <translation>%1   場所の %2 % が%3</translation>
+    </message>
+    <message>
+        <source>sq ft</source>
+        <translation>平方フィート</translation>
+    </message>
+    <message>
+        <source>Sun gained</source>
+        <translation>増えた日照</translation>
+    </message>
+    <message>
+        <source>The sun is not up in the rule&apos;s hours, or the place has no open ground</source>
+        <translation>規定の時間に太陽が出ていないか、場所に開けた地面がありません</translation>
+    </message>
+    <message>
+        <source>%1   incremental %2; scenario %3; baseline %4</source>
+        <translation>%1   増分 %2、シナリオ %3、比較基準 %4</translation>
+    </message>
+    <message>
+        <source>; sun gained %1</source>
+        <translation>、増えた日照 %1</translation>
+    </message>
+    <message>
+        <source>Incremental shadow on the edge of the place alone, beside all centres of cells</source>
+        <translation>増加日影は場所の縁だけで、どのセルの中心にもかかりません</translation>
+    </message>
+    <message>
+        <source>No incremental shadow in the rule&apos;s hours</source>
+        <translation>規定の時間に増加日影はありません</translation>
+    </message>
+    <message>
+        <source> (up to %1 min too late)</source>
+        <translation> (最大 %1 分遅い)</translation>
+    </message>
+    <message>
+        <source>Incremental shadow from %1 to %2%6; at most %3, %4 % of the place, at %5</source>
+        <translation>増加日影は %1 から %2%6。最大 %3、場所の %4 %、%5</translation>
+    </message>
+    <message>
+        <source>less shadow</source>
+        <translation>影が減る</translation>
+    </message>
+    <message>
+        <source>in the sun</source>
+        <translation>日なた</translation>
+    </message>
+    <message>
+        <source>more shadow</source>
+        <translation>影が増える</translation>
+    </message>
+    <message>
+        <source>in shadow</source>
+        <translation>日影</translation>
+    </message>
+    <message>
+        <source>violet: proposed</source>
+        <translation>紫: 計画</translation>
+    </message>
+    <message>
+        <source>orange: only in the baseline</source>
+        <translation>橙: 比較基準のみ</translation>
+    </message>
+    <message>
+        <source>orange: demolished</source>
+        <translation>橙: 取り壊し</translation>
+    </message>
+    <message>
+        <source>dashed: open below</source>
+        <translation>破線: 下部が開放</translation>
+    </message>
+    <message>
+        <source>dark line: region</source>
+        <translation>濃い線: 範囲</translation>
+    </message>
+    <message>
+        <source> mi</source>
+        <translation> mi</translation>
+    </message>
+    <message>
+        <source> ft</source>
+        <translation> ft</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>変更</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>シナリオ</translation>
+    </message>
+    <message>
+        <source>%1 Change: from %2, on the receivers of both. Engine: %3.</source>
+        <translation>%1 変化: %2 から、両方の測定点で。エンジン: %3。</translation>
+    </message>
+    <message>
+        <source>The same study of each scenario</source>
+        <translation>各シナリオの同じ検討</translation>
+    </message>
+    <message>
+        <source>%1 high</source>
+        <translation>高さ %1</translation>
+    </message>
+    <message>
+        <source>floor area %1</source>
+        <translation>延床面積 %1</translation>
+    </message>
+    <message>
+        <source>no new building with known floors</source>
+        <translation>階数の分かる新しい建物なし</translation>
+    </message>
+    <message>
+        <source>, on one scale</source>
+        <translation>、同じ目盛</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 scenarios; scenario_months.csv has all</source>
+        <translation>%2 シナリオ中の最初の %1。すべては scenario_months.csv にあります</translation>
+    </message>
+    <message>
+        <source>%1: %2. Buildings and ground: SHA-256 %3.</source>
+        <translation>%1: %2。建物と地面: SHA-256 %3。</translation>
+    </message>
+    <message>
+        <source>no changes</source>
+        <translation>変更なし</translation>
+    </message>
+    <message>
+        <source>Colours: %1 in %2; continuous shadow in %3.</source>
+        <translation>色: %1 は %2、連続日影は %3。</translation>
+    </message>
+    <message>
+        <source>sun</source>
+        <translation>日照</translation>
+    </message>
+    <message>
+        <source>gross shadow</source>
+        <translation>累計日影</translation>
+    </message>
+    <message>
+        <source>Change: minutes in %1 minus minutes in %2, with the same engine, steps and cells; positive means more %3. %4</source>
+        <translation>変化: %1 の分数から %2 の分数を引いた値 (同じエンジン、ステップ、セル)。正は%3が増えることを示します。%4</translation>
+    </message>
+    <message>
+        <source>shadow</source>
+        <translation>影</translation>
+    </message>
+    <message>
+        <source>%1: %2 with more than %3 min a day of additional gross shadow</source>
+        <translation>%1: 累計日影が 1 日 %3 分を超えて増える面積 %2</translation>
+    </message>
+    <message>
+        <source>This is the error of the change, compared with the change by the ray reference.</source>
+        <translation>これは光線基準による変化と比べた、変化の誤差です。</translation>
+    </message>
+    <message>
+        <source>%1, %2 m high</source>
+        <translation>%1、高さ %2 m</translation>
+    </message>
+    <message>
+        <source>Further new buildings</source>
+        <translation>その他の新しい建物</translation>
+    </message>
+    <message>
+        <source>sun above the horizon for %1 min a day</source>
+        <translation>太陽が地平線上にある時間 1 日 %1 分</translation>
+    </message>
+    <message>
+        <source> Positive means that wanted shade outweighs unwanted shadow. The figures of the months add up to the total.</source>
+        <translation> 正は望ましい日陰が望ましくない影を上回ることを示します。月の値の合計が全体です。</translation>
+    </message>
+    <message>
+        <source>Engine: %1.</source>
+        <translation>エンジン: %1。</translation>
+    </message>
+    <message>
+        <source>Receivers: centres of square cells of %1 m on %2, inside the region.</source>
+        <translation>測定点: 範囲内、%2 上の %1 m 四方のセルの中心。</translation>
+    </message>
+    <message>
+        <source>Weights: %1</source>
+        <translation>重み: %1</translation>
+    </message>
+    <message>
+        <source>Shadow score of %1</source>
+        <translation>%1 の日影スコア</translation>
+    </message>
+    <message>
+        <source> At each step a ray is traced from each receiver to the centre of the sun; the receiver is in shadow if a building or the terrain blocks the ray.</source>
+        <translation> 各ステップで測定点から太陽の中心へ光線を追跡し、建物か地形が遮れば測定点は影です。</translation>
+    </message>
+    <message>
+        <source>the terrain</source>
+        <translation>地形</translation>
+    </message>
+    <message>
+        <source>flat ground</source>
+        <translation>平らな地面</translation>
+    </message>
+    <message>
+        <source>Receivers: centres of square cells of %1 m on %2, inside the region and not under a building.</source>
+        <translation>測定点: 範囲内で建物の下でない、%2 上の %1 m 四方のセルの中心。</translation>
+    </message>
+    <message>
+        <source>Terrain: %1.</source>
+        <translation>地形: %1。</translation>
+    </message>
+    <message>
+        <source>; a single day is up to %1 min too long or too short</source>
+        <translation>、1 日は最大 %1 分長いか短くなります</translation>
+    </message>
+    <message>
+        <source> The requested step was %1 min; its length was adjusted so that whole steps fill the hours of each day and the period has the exact number of minutes%2.</source>
+        <translation> 指定のステップは %1 分です。各日の時間を整数個のステップで満たし、期間の分数が正確になるように長さを調整しました%2。</translation>
+    </message>
+    <message>
+        <source>Time: %1 steps of %2 min used; %3 left out because the sun was below the horizon (night is not shadow). Shares of time refer to the time with the sun above the horizon.%4</source>
+        <translation>時間: %2 分の %1 ステップを使用。太陽が地平線下の %3 は除外 (夜は影ではありません)。時間の割合は太陽が地平線上にある時間に対するものです。%4</translation>
+    </message>
+    <message>
+        <source>geometric altitude, without refraction</source>
+        <translation>幾何学的な高度、大気差なし</translation>
+    </message>
+    <message>
+        <source>apparent altitude, with refraction at %1 hPa and %2 °C</source>
+        <translation>見かけの高度、%1 hPa、%2 °C の大気差を含む</translation>
+    </message>
+    <message>
+        <source> At %1 steps the sun is just above the horizon but below the plane of the geometry; they are computed with the sun in that plane.</source>
+        <translation> %1 ステップでは太陽は地平線のすぐ上、形状の面より下にあり、その面上の太陽として計算しています。</translation>
+    </message>
+    <message>
+        <source> In the frame of the geometry true north is rotated by %1° there and the vertical by %2°; at the farthest corner of the region the vertical differs by up to %3° (%4 s of the sun&apos;s motion).%5</source>
+        <translation> 形状の座標系ではそこで真北が %1°、鉛直が %2° 回転しています。範囲の最も遠い角では鉛直が最大 %3° ずれます (太陽の動きで %4 秒)。%5</translation>
+    </message>
+    <message>
+        <source>Sun: ERFA, topocentric, seen from the centre of the region (%1, %2 m); %3. Civil time of %4 from the tz database.%5</source>
+        <translation>太陽: ERFA、範囲の中心 (%1、%2 m) から見た位置。%3。tz データベースによる %4 の常用時。%5</translation>
+    </message>
+    <message>
+        <source>Frame: metres to the east and true north of %1 (WGS84), the CRS of shadow.tif: %2</source>
+        <translation>座標: %1 (WGS84) から東と真北へのメートル、shadow.tif の CRS: %2</translation>
+    </message>
+    <message>
+        <source>%1 % in the mean, %2 % at the 99th percentile, %3 % (%4 min) at the worst receiver (%5)</source>
+        <translation>平均 %1 %、99 パーセンタイル %2 %、最悪の測定点で %3 % (%4 分) (%5)</translation>
+    </message>
+    <message>
+        <source>; continuous shadow by %1, of the longest day</source>
+        <translation>、連続日影は最も長い日の %1</translation>
+    </message>
+    <message>
+        <source>Measured on %1 of the %2 receivers, spread over the region and traced again by the ray reference over the same %3 steps: shadow area off by %4 % of the ground (standard error %5); gross shadow by %6, of the sunlit time%7.</source>
+        <translation>範囲に散らばる %2 点中 %1 点で、同じ %3 ステップを光線基準で追跡し直して測定: 日影面積の差は地面の %4 % (標準誤差 %5)、累計日影は可照時間の %6%7。</translation>
+    </message>
+    <message>
+        <source>All other engines are measured against the ray reference: for the city as modelled, one exact test decides each receiver and step. Changes between sun and shadow are resolved to one step (%1 min), edges of shadows to one cell (%2 m).</source>
+        <translation>ほかのエンジンはすべて光線基準と比べて測定します。モデル化した都市では、測定点とステップごとに正確な判定を一度行います。日向と影の変わり目は 1 ステップ (%1 分)、影の縁は 1 セル (%2 m) の精度です。</translation>
+    </message>
+    <message>
+        <source>Limits of the model: roofs are flat unless the data contains their shape; %1; the sun is a point, whereas its real disc of 0.53° blurs a shadow&apos;s edge by about 1 m per 100 m of distance from the occluder. An error in height moves the end of a shadow by error / tan(altitude of the sun): see the sources of the heights.</source>
+        <translation>モデルの限界: データに形がない屋根は平らです。%1。太陽は点ですが、実際の 0.53° の円盤は遮蔽物から 100 m につき約 1 m 影の縁をぼかします。高さの誤差は影の先端を 誤差 / tan(太陽高度) だけ動かします。高さの出典を参照してください。</translation>
+    </message>
+    <message>
+        <source>trees count only in figures that name them, street furniture in none</source>
+        <translation>樹木はそれを明記した数値だけに含まれ、街路設備はどれにも含まれません</translation>
+    </message>
+    <message>
+        <source>trees and street furniture are not included</source>
+        <translation>樹木と街路設備は含みません</translation>
+    </message>
+    <message>
+        <source> Shares: of the receivers&apos; area and of the sunlit time.</source>
+        <translation> 割合: 測定点の面積と可照時間に対するもの。</translation>
+    </message>
+    <message>
+        <source>Continuous shadow was not counted.</source>
+        <translation>連続日影は集計していません。</translation>
+    </message>
+    <message>
+        <source>Error against the ray reference, on a sample</source>
+        <translation>光線基準に対する誤差 (標本)</translation>
+    </message>
+    <message>
+        <source>, scenario </source>
+        <translation>、シナリオ </translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>入力</translation>
+    </message>
+    <message>
+        <source>and %1 more: see the JSON file</source>
+        <translation>ほか %1 件: JSON ファイルを参照</translation>
+    </message>
+    <message>
+        <source>No file: the city was not read from a file.</source>
+        <translation>ファイルなし: 都市はファイルから読み込まれていません。</translation>
+    </message>
+    <message>
+        <source>%1: %2, the city without edits.</source>
+        <translation>%1: %2、編集のない都市。</translation>
+    </message>
+    <message>
+        <source>The project has not been saved yet.</source>
+        <translation>プロジェクトはまだ保存されていません。</translation>
+    </message>
+    <message>
+        <source>%1, which does not contain the latest changes.</source>
+        <translation>%1。最新の変更は含みません。</translation>
+    </message>
+    <message>
+        <source>%1, SHA-256 of the file:</source>
+        <translation>%1、ファイルの SHA-256:</translation>
+    </message>
+    <message>
+        <source>Project and scenario</source>
+        <translation>プロジェクトとシナリオ</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the content behind the result (defined in the JSON file):</source>
+        <translation>結果の元となる内容の SHA-256 (JSON ファイルで定義):</translation>
+    </message>
+    <message>
+        <source>an unknown number of m</source>
+        <translation>不明な値 m</translation>
+    </message>
+    <message>
+        <source>from levels × %1</source>
+        <translation>階数 × %1 から</translation>
+    </message>
+    <message>
+        <source>missing in the data and replaced by a default (%1 for a whole building)</source>
+        <translation>データになく既定値で補ったもの (建物全体で %1)</translation>
+    </message>
+    <message>
+        <source>from three-dimensional data</source>
+        <translation>三次元データから</translation>
+    </message>
+    <message>
+        <source>designed: given by the scenario</source>
+        <translation>設計: シナリオによる</translation>
+    </message>
+    <message>
+        <source>made up: a sample of no real place</source>
+        <translation>架空: 実在しない場所の見本</translation>
+    </message>
+    <message>
+        <source>%1 in %2. Heights of the parts: %3.</source>
+        <translation>%1、%2。部分の高さ: %3。</translation>
+    </message>
+    <message>
+        <source>From %1.</source>
+        <translation>%1 から。</translation>
+    </message>
+    <message>
+        <source>Features of the files are not parts: an outline that has parts of its own makes none, a feature of several outlines several.</source>
+        <translation>ファイルの地物は部分ではありません。部分を持つ輪郭は部分にならず、複数の輪郭を持つ地物は複数になります。</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>None: every feature was used unchanged.</source>
+        <translation>なし: すべての地物をそのまま使用しました。</translation>
+    </message>
+    <message>
+        <source>%1 in total, of %2 kinds; the JSON file beside this report lists each one with its feature.</source>
+        <translation>合計 %1 件、%2 種類。この報告書と並ぶ JSON ファイルに地物ごとの一覧があります。</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>%1 of %2 buildings used</source>
+        <translation>建物 %2 件中 %1 件を使用</translation>
+    </message>
+    <message>
+        <source>, %1 rays</source>
+        <translation>、光線 %1 本</translation>
+    </message>
+    <message>
+        <source>. Skipped: </source>
+        <translation>。省略: </translation>
+    </message>
+    <message>
+        <source>Computation</source>
+        <translation>計算</translation>
+    </message>
+    <message>
+        <source>How to repeat this result</source>
+        <translation>この結果を再現する方法</translation>
+    </message>
+    <message>
+        <source>%1 lies beside this report.</source>
+        <translation>%1 はこの報告書と並んで置かれています。</translation>
+    </message>
+    <message>
+        <source>Shadow study</source>
+        <translation>日影の検討</translation>
+    </message>
+    <message>
+        <source>at an unknown time</source>
+        <translation>日時不明</translation>
+    </message>
+    <message>
+        <source>on </source>
+        <translation>日時 </translation>
+    </message>
+    <message>
+        <source>A result saved in the project</source>
+        <translation>プロジェクトに保存された結果</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, saved %2 by %3. Maps and figures are those that were saved.</source>
+        <translation>「%1」、%2 に %3 で保存。地図と数値は保存時のものです。</translation>
+    </message>
+    <message>
+        <source>Its inputs have not changed since.</source>
+        <translation>入力はその後変わっていません。</translation>
+    </message>
+    <message>
+        <source>The buildings drawn are those of the scenario as it is now.</source>
+        <translation>描かれている建物は現在のシナリオのものです。</translation>
+    </message>
+    <message>
+        <source>Square cells of %1 m; those that were not measured are white on the map.</source>
+        <translation>%1 m 四方のセル。測定していないものは地図で白です。</translation>
+    </message>
+    <message>
+        <source>Error: %1.</source>
+        <translation>誤差: %1。</translation>
+    </message>
+    <message>
+        <source>Weight table: %1.</source>
+        <translation>重みの表: %1。</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>ほか %1 件</translation>
+    </message>
+    <message>
+        <source>Shadow study of %1</source>
+        <translation>%1 の日影の検討</translation>
+    </message>
+    <message>
+        <source>Change: minutes in %1 minus minutes in %2; positive means more %3. %4</source>
+        <translation>変化: %1 の分数から %2 の分数を引いた値。正は%3が増えることを示します。%4</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>南</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>西</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>東</translation>
+    </message>
+    <message>
+        <source>%1 m east-west by %2 m north-south around %3 (WGS84)</source>
+        <translation>%3 (WGS84) を中心に東西 %1 m、南北 %2 m</translation>
+    </message>
+    <message>
+        <source>Data: </source>
+        <translation>データ: </translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>セルの大きさ</translation>
+    </message>
+    <message>
+        <source>Steps of the sun</source>
+        <translation>太陽位置の数</translation>
+    </message>
+    <message>
+        <source> + %1 min</source>
+        <translation> + %1 分</translation>
+    </message>
+    <message>
+        <source> - %1 min</source>
+        <translation> - %1 分</translation>
+    </message>
+    <message>
+        <source>sunrise</source>
+        <translation>日の出</translation>
+    </message>
+    <message>
+        <source> to </source>
+        <translation> から </translation>
+    </message>
+    <message>
+        <source>sunset</source>
+        <translation>日没</translation>
+    </message>
+    <message>
+        <source>%1 for %2 h</source>
+        <translation>%1 から %2 時間</translation>
+    </message>
+    <message>
+        <source>no date</source>
+        <translation>日付なし</translation>
+    </message>
+    <message>
+        <source>%1 to %2 (%3)</source>
+        <translation>%1 から %2 (%3)</translation>
+    </message>
+    <message>
+        <source>at </source>
+        <translation>時刻 </translation>
+    </message>
+    <message>
+        <source>, every %1 min</source>
+        <translation>、%1 分ごと</translation>
+    </message>
+    <message>
+        <source>... the rest is in the JSON file</source>
+        <translation>... 残りは JSON ファイルにあります</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>未確認</translation>
+    </message>
+    <message>
+        <source>December to February</source>
+        <translation>12 月から 2 月</translation>
+    </message>
+    <message>
+        <source>March to May</source>
+        <translation>3 月から 5 月</translation>
+    </message>
+    <message>
+        <source>June to August</source>
+        <translation>6 月から 8 月</translation>
+    </message>
+    <message>
+        <source>September to November</source>
+        <translation>9 月から 11 月</translation>
+    </message>
+    <message>
+        <source>every</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>average</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>選択</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>合計</translation>
+    </message>
+    <message>
+        <source>civil</source>
+        <translation>常用時</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>標準時</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>true solar</source>
+        <translation>真太陽時</translation>
+    </message>
+    <message>
+        <source>upper limb</source>
+        <translation>上縁</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>中心</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>測定面</translation>
+    </message>
+    <message>
+        <source>windows</source>
+        <translation>窓</translation>
+    </message>
+    <message>
+        <source>everything</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>existing</source>
+        <translation>既存</translation>
+    </message>
+    <message>
+        <source>no action</source>
+        <translation>無計画時</translation>
+    </message>
+    <message>
+        <source>reference body</source>
+        <translation>比較用の建物形状</translation>
+    </message>
+    <message>
+        <source>mid pane</source>
+        <translation>ガラスの中央</translation>
+    </message>
+    <message>
+        <source>sill middle</source>
+        <translation>窓台の中央</translation>
+    </message>
+    <message>
+        <source>sill ends</source>
+        <translation>窓台の両端</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>外側</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>内側</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>窓</translation>
+    </message>
+    <message>
+        <source>room</source>
+        <translation>部屋</translation>
+    </message>
+    <message>
+        <source>dwelling</source>
+        <translation>住戸</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5911,6 +8739,17 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>sweeping horizons</source>
         <translation>地平線を走査しています</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ChartPages</name>
+    <message>
+        <source>Timelines</source>
+        <translation>時系列</translation>
+    </message>
+    <message>
+        <source>Clock: %1.</source>
+        <translation>時刻: %1。</translation>
     </message>
 </context>
 <context>
@@ -6242,6 +9081,21 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>tracing rays through trees</source>
         <translation>樹木を通る光線を追跡しています</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::DayClock</name>
+    <message>
+        <source>%1, with daylight saving</source>
+        <translation>%1、夏時間あり</translation>
+    </message>
+    <message>
+        <source>%1, standard time</source>
+        <translation>%1、標準時</translation>
+    </message>
+    <message>
+        <source>true solar time</source>
+        <translation>真太陽時</translation>
     </message>
 </context>
 <context>
@@ -6608,6 +9462,29 @@ as published. Approximate: the legend states the measured error</source>
     </message>
 </context>
 <context>
+    <name>noonmark::ElevationFlow</name>
+    <message>
+        <source> %1 more buildings are not drawn.</source>
+        <translation> ほか %1 件の建物は描いていません。</translation>
+    </message>
+    <message>
+        <source> %1 sides do not fit on %2 at 1:%3 and are smaller.</source>
+        <translation> %1 面は %2 に 1:%3 で収まらないため縮小しています。</translation>
+    </message>
+    <message>
+        <source>%1, facing %2 (%3°)</source>
+        <translation>%1、%2向き (%3°)</translation>
+    </message>
+    <message>
+        <source>, layer %1 of %2</source>
+        <translation>、層 %1 / %2</translation>
+    </message>
+    <message>
+        <source>1:%1 on %2. %3 windows</source>
+        <translation>1:%1 (%2)。窓 %3</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::Exploration</name>
     <message>
         <source>Exploring</source>
@@ -6764,6 +9641,26 @@ as published. Approximate: the legend states the measured error</source>
         <source>Save project first</source>
         <translation>先にプロジェクトを保存</translation>
     </message>
+    <message>
+        <source>The name of the PDF with the sheets</source>
+        <translation>シートの PDF の名前</translation>
+    </message>
+    <message>
+        <source>Name of the sheets</source>
+        <translation>シートの名前</translation>
+    </message>
+    <message>
+        <source>Two of the files have one name: choose another for the sheets</source>
+        <translation>二つのファイルが同じ名前です。シートに別の名前を選んでください</translation>
+    </message>
+    <message>
+        <source>No sheets are written. Tick &quot;%1&quot; to see and write them.</source>
+        <translation>シートは書き出されません。「%1」にチェックすると表示され、書き出されます。</translation>
+    </message>
+    <message>
+        <source>What is chosen has no sheets.</source>
+        <translation>選んだものにシートはありません。</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ExtrudeHandle</name>
@@ -6912,6 +9809,41 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>writing the movie</source>
         <translation>動画を書き出しています</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::FramePainter</name>
+    <message>
+        <source>Project</source>
+        <translation>プロジェクト</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>題名</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>発注者</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>作成者</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日付</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>プログラム</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>図面</translation>
+    </message>
+    <message>
+        <source>sheet %1 of %2</source>
+        <translation>図面 %1 / %2</translation>
     </message>
 </context>
 <context>
@@ -7621,6 +10553,10 @@ Approximate: the legend states the measured error. Verdicts of reviews stay exac
     <message>
         <source>Height above ground</source>
         <translation>地盤からの高さ</translation>
+    </message>
+    <message>
+        <source>Turn, taper, twist</source>
+        <translation>回転・先細り・ねじり</translation>
     </message>
 </context>
 <context>
@@ -8339,6 +11275,60 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <source>A terrain, an aerial photograph, trees, or parks and other places; what the city has stays</source>
         <translation>地形、航空写真、樹木、公園などの場所を追加します。都市にあるものはそのまま残ります</translation>
     </message>
+    <message>
+        <source>%1 is drawn as %2; a right click on it in Project changes its kind.</source>
+        <translation>%1 を %2 として描きました。「プロジェクト」で右クリックすると種類を変えられます。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceCharts</name>
+    <message>
+        <source>Timelines</source>
+        <translation>時系列</translation>
+    </message>
+    <message>
+        <source>Hours of the year in shadow</source>
+        <translation>1 年の影の時間</translation>
+    </message>
+    <message>
+        <source>Shadow by month</source>
+        <translation>月別の日影</translation>
+    </message>
+    <message>
+        <source>%1 measured. Clock: %2.</source>
+        <translation>測定 %1。時刻: %2。</translation>
+    </message>
+    <message>
+        <source>Incremental shadow: share of the place</source>
+        <translation>増加日影: 場所に占める割合</translation>
+    </message>
+    <message>
+        <source>Shadow in the scenario: share of the place</source>
+        <translation>シナリオの影: 場所に占める割合</translation>
+    </message>
+    <message>
+        <source>Day of the year across, time of day upwards; not counted: the sun is down, or outside the rule&apos;s hours</source>
+        <translation>横は日、縦は時刻。対象外: 太陽が沈んでいるか規定の時間外</translation>
+    </message>
+    <message>
+        <source>Area × hours in shadow by month</source>
+        <translation>月別の面積 × 影の時間</translation>
+    </message>
+    <message>
+        <source>The measured half of the year stands for both halves: each month counts twice</source>
+        <translation>測定した半年が両方の半年を表し、各月は二度数えます</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceEvaluation</name>
+    <message>
+        <source>The rule is about windows, not about places</source>
+        <translation>この規定は窓に関するもので、場所には関しません</translation>
+    </message>
+    <message>
+        <source>The place has no cell where shadow is measured</source>
+        <translation>この場所には影を測定するセルがありません</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceFile</name>
@@ -8411,6 +11401,33 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>Only those in reach of the shadow; they are being found</source>
         <translation>影が届く場所のみ(検索中)</translation>
+    </message>
+    <message>
+        <source>What the place is that is drawn, of the kinds that the rule is about</source>
+        <translation>描く場所の種類（規則が対象とするもの）</translation>
+    </message>
+    <message>
+        <source>Draw place</source>
+        <translation>場所を描く</translation>
+    </message>
+    <message>
+        <source>Click the place&apos;s corners on the ground; double click or Enter finishes. Its name can then be typed in the list.</source>
+        <translation>地面で場所の角をクリックし、ダブルクリックか Enter で終えます。名前は一覧で入力できます。</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceSorter</name>
+    <message>
+        <source>further places: %1</source>
+        <translation>その他の場所: %1</translation>
+    </message>
+    <message>
+        <source>%1: pieces of less than %2</source>
+        <translation>%1: %2 未満の断片</translation>
+    </message>
+    <message>
+        <source>%1, pieces of less than %2</source>
+        <translation>%1、%2 未満の断片</translation>
     </message>
 </context>
 <context>
@@ -9866,6 +12883,10 @@ Choose what, when and where in the panel Study, and press Run study (Ctrl+R). Th
         <source>&lt;b&gt;%1&lt;/b&gt;: %2 as it stands. %3</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;: %2 の現状。%3</translation>
     </message>
+    <message>
+        <source>The project holds %1, see the list of Results. Run review shows its places and timelines again.</source>
+        <translation>プロジェクトには %1 があります（「結果」の一覧）。審査を実行すると場所と時系列が再び表示されます。</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewForm</name>
@@ -10978,6 +13999,18 @@ Choose what, when and where in the panel Study, and press Run study (Ctrl+R). Th
         <source>Cancelled.</source>
         <translation>中止しました。</translation>
     </message>
+    <message>
+        <source>The project holds what was measured: %1.</source>
+        <translation>プロジェクトには測定結果があります: %1。</translation>
+    </message>
+    <message>
+        <source>The project holds %1 answers, all in the list of Results; among them %2.</source>
+        <translation>プロジェクトには %1 件の答えがあり、すべて「結果」の一覧にあります。うち %2。</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>表示</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::StudyDock</name>
@@ -11087,10 +14120,6 @@ Choose what, when and where in the panel Study, and press Run study (Ctrl+R). Th
         <translation>延床面積、または容積率：延床面積を敷地面積で割った値</translation>
     </message>
     <message>
-        <source>What the tower shall have; press a button below to reach it</source>
-        <translation>タワーの目標値。下のボタンで達成します</translation>
-    </message>
-    <message>
         <source>Fit storeys</source>
         <translation>階数を合わせる</translation>
     </message>
@@ -11109,6 +14138,10 @@ Choose what, when and where in the panel Study, and press Run study (Ctrl+R). Th
     <message>
         <source> sq ft</source>
         <translation> 平方フィート</translation>
+    </message>
+    <message>
+        <source>What the tower shall have: type it, and storeys or plate are fitted; else what it has</source>
+        <translation>タワーの目標値。入力すると階数か基準階を合わせます。未入力なら現在の値</translation>
     </message>
 </context>
 <context>
@@ -12742,6 +15775,458 @@ Click a building first.</source>
     <message>
         <source>around %1</source>
         <translation>%1 の周辺</translation>
+    </message>
+    <message>
+        <source>That of the window</source>
+        <translation>ウィンドウの言語</translation>
+    </message>
+    <message>
+        <source>Sun: azimuth %1°, altitude %2°</source>
+        <translation>太陽: 方位角 %1°、高度 %2°</translation>
+    </message>
+    <message>
+        <source>%1 further pages are printed by the option --all-pages. </source>
+        <translation>ほか %1 ページはオプション --all-pages で印刷します。 </translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>%1, generated by this program</source>
+        <translation>%1、このプログラムが生成</translation>
+    </message>
+    <message>
+        <source>%1, %2 bytes, SHA-256:</source>
+        <translation>%1、%2 バイト、SHA-256:</translation>
+    </message>
+    <message>
+        <source>%1 day</source>
+        <translation>%1 日</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 日</translation>
+    </message>
+    <message>
+        <source>%1 step</source>
+        <translation>%1 ステップ</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 ステップ</translation>
+    </message>
+    <message>
+        <source>%1 value</source>
+        <translation>%1 個の値</translation>
+    </message>
+    <message>
+        <source>%1 values</source>
+        <translation>%1 個の値</translation>
+    </message>
+    <message>
+        <source>%1 edit</source>
+        <translation>%1 件の編集</translation>
+    </message>
+    <message>
+        <source>%1 edits</source>
+        <translation>%1 件の編集</translation>
+    </message>
+    <message>
+        <source>%1 place</source>
+        <translation>%1 か所</translation>
+    </message>
+    <message>
+        <source>%1 places</source>
+        <translation>%1 か所</translation>
+    </message>
+    <message>
+        <source>%1 building</source>
+        <translation>建物 %1 件</translation>
+    </message>
+    <message>
+        <source>%1 buildings</source>
+        <translation>建物 %1 件</translation>
+    </message>
+    <message>
+        <source>%1 part</source>
+        <translation>部分 %1 件</translation>
+    </message>
+    <message>
+        <source>%1 parts</source>
+        <translation>部分 %1 件</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>フィート</translation>
+    </message>
+    <message>
+        <source>sq ft</source>
+        <translation>平方フィート</translation>
+    </message>
+    <message>
+        <source>acres</source>
+        <translation>エーカー</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 から %2</translation>
+    </message>
+    <message>
+        <source>, one day in %1</source>
+        <translation>、%1 日に 1 日</translation>
+    </message>
+    <message>
+        <source>, half a year mirrored at 21 June</source>
+        <translation>、6 月 21 日で折り返した半年</translation>
+    </message>
+    <message>
+        <source>; sun above %1 deg</source>
+        <translation>、太陽高度 %1 度超</translation>
+    </message>
+    <message>
+        <source>; sunrise: %1</source>
+        <translation>、日の出: %1</translation>
+    </message>
+    <message>
+        <source>, %1, %2 face</source>
+        <translation>、%1、%2面</translation>
+    </message>
+    <message>
+        <source>, %1 m above the sill</source>
+        <translation>、窓台から %1 m</translation>
+    </message>
+    <message>
+        <source>, %1 m above the floor</source>
+        <translation>、床から %1 m</translation>
+    </message>
+    <message>
+        <source>, sun at least %1 deg from the pane</source>
+        <translation>、ガラス面から %1 度以上の太陽</translation>
+    </message>
+    <message>
+        <source>, sun at least arctan(wall / width) from the pane</source>
+        <translation>、ガラス面から arctan(壁厚 / 幅) 以上の太陽</translation>
+    </message>
+    <message>
+        <source>; by %1</source>
+        <translation>、%1ごと</translation>
+    </message>
+    <message>
+        <source>; sill %1 m, wall %2 m, windows without a size %3 x %4 m</source>
+        <translation>、窓台 %1 m、壁厚 %2 m、大きさのない窓 %3 x %4 m</translation>
+    </message>
+    <message>
+        <source> %1 m above mean ground</source>
+        <translation> 平均地盤面から %1 m</translation>
+    </message>
+    <message>
+        <source>; lines %1 and %2 m from the parcel</source>
+        <translation>、敷地から %1 m と %2 m の線</translation>
+    </message>
+    <message>
+        <source>, whose line moves out by %1 of the width of roads up to %2 m, to %3 m inside the far side of wider ones</source>
+        <translation>、その線は幅 %2 m までの道路では幅の %1 倍、より広い道路では反対側から %3 m の所まで外側に移ります</translation>
+    </message>
+    <message>
+        <source>; all places</source>
+        <translation>、すべての場所</translation>
+    </message>
+    <message>
+        <source> or</source>
+        <translation> または</translation>
+    </message>
+    <message>
+        <source>: stated, no limit</source>
+        <translation>: 値のみ、限度なし</translation>
+    </message>
+    <message>
+        <source>; windows facing %1 to %2 deg</source>
+        <translation>、方位 %1 から %2 度の窓</translation>
+    </message>
+    <message>
+        <source> (does not decide)</source>
+        <translation> (判定に用いない)</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>日</translation>
+    </message>
+    <message>
+        <source>clock</source>
+        <translation>時刻</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>ステップ</translation>
+    </message>
+    <message>
+        <source>receivers</source>
+        <translation>測定点</translation>
+    </message>
+    <message>
+        <source>casters</source>
+        <translation>遮蔽物</translation>
+    </message>
+    <message>
+        <source>trees</source>
+        <translation>樹木</translation>
+    </message>
+    <message>
+        <source>baseline</source>
+        <translation>比較基準</translation>
+    </message>
+    <message>
+        <source>criterion</source>
+        <translation>基準</translation>
+    </message>
+    <message>
+        <source>holds if</source>
+        <translation>成立条件</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>または</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>割合</translation>
+    </message>
+    <message>
+        <source>sunshine</source>
+        <translation>日照率</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>合計</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>表</translation>
+    </message>
+    <message>
+        <source>diagrams</source>
+        <translation>図</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>選択</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>数値</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>未確認</translation>
+    </message>
+    <message>
+        <source>How the rule is read</source>
+        <translation>規定の読み方</translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation>平面図</translation>
+    </message>
+    <message>
+        <source>fan</source>
+        <translation>扇形図</translation>
+    </message>
+    <message>
+        <source>isochrones</source>
+        <translation>等時間線</translation>
+    </message>
+    <message>
+        <source>view from the sun</source>
+        <translation>太陽から見た図</translation>
+    </message>
+    <message>
+        <source>hours</source>
+        <translation>時間帯</translation>
+    </message>
+    <message>
+        <source>, on full %1 min</source>
+        <translation>、%1 分単位</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> かつ </translation>
+    </message>
+    <message>
+        <source>%1: %2 for at least %3 %</source>
+        <translation>%1: %2 が %3 % 以上</translation>
+    </message>
+    <message>
+        <source>area x %1 h a year</source>
+        <translation>面積 x 年 %1 時間</translation>
+    </message>
+    <message>
+        <source>Least certain of what the verdicts rest on: %1 (%2: %3).</source>
+        <translation>判定の根拠のうち最も不確かなもの: %1 (%2: %3)。</translation>
+    </message>
+    <message>
+        <source>%1: %2; now %3</source>
+        <translation>%1: %2。現在 %3</translation>
+    </message>
+    <message>
+        <source>V: read in the rule&apos;s text or on an official page; R: reported by practice; U: not checked against the rule&apos;s text.</source>
+        <translation>V: 規定の本文か公式ページで確認。R: 実務による報告。U: 規定の本文と未照合。</translation>
+    </message>
+    <message>
+        <source>figures only</source>
+        <translation>数値のみ</translation>
+    </message>
+    <message>
+        <source>%1 x former</source>
+        <translation>以前の %1 倍</translation>
+    </message>
+    <message>
+        <source>loss %1</source>
+        <translation>減少 %1</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 または %2</translation>
+    </message>
+    <message>
+        <source> (former %1)</source>
+        <translation> (以前 %1)</translation>
+    </message>
+    <message>
+        <source> on %1</source>
+        <translation> (%1)</translation>
+    </message>
+    <message>
+        <source>, wanted %1</source>
+        <translation>、要求 %1</translation>
+    </message>
+    <message>
+        <source>No sun in these hours</source>
+        <translation>この時間に太陽なし</translation>
+    </message>
+    <message>
+        <source>The rule states no limit for this place</source>
+        <translation>この場所には規定の限度がありません</translation>
+    </message>
+    <message>
+        <source>read in the rule&apos;s text or on an official page</source>
+        <translation>規定の本文か公式ページで確認</translation>
+    </message>
+    <message>
+        <source>reported by practice</source>
+        <translation>実務による報告</translation>
+    </message>
+    <message>
+        <source>not checked against the rule&apos;s text</source>
+        <translation>規定の本文と未照合</translation>
+    </message>
+    <message>
+        <source>none counted</source>
+        <translation>対象外</translation>
+    </message>
+    <message>
+        <source>evergreen trees only</source>
+        <translation>常緑樹のみ</translation>
+    </message>
+    <message>
+        <source>dense belts of evergreen trees only</source>
+        <translation>常緑樹の密な樹林帯のみ</translation>
+    </message>
+    <message>
+        <source>all, as evergreens</source>
+        <translation>すべて、常緑として</translation>
+    </message>
+    <message>
+        <source>all, with their seasons</source>
+        <translation>すべて、季節を考慮</translation>
+    </message>
+    <message>
+        <source>existing trees with their seasons, and new evergreens</source>
+        <translation>既存の樹木は季節を考慮、新しい樹木は常緑樹のみ</translation>
+    </message>
+    <message>
+        <source>sunrise</source>
+        <translation>日の出</translation>
+    </message>
+    <message>
+        <source>sunset</source>
+        <translation>日没</translation>
+    </message>
+    <message>
+        <source>the latest of</source>
+        <translation>最も遅いもの</translation>
+    </message>
+    <message>
+        <source>the earliest of</source>
+        <translation>最も早いもの</translation>
+    </message>
+    <message>
+        <source>Trees: %1</source>
+        <translation>樹木: %1</translation>
+    </message>
+    <message>
+        <source>; the city has no trees</source>
+        <translation>、都市に樹木なし</translation>
+    </message>
+    <message>
+        <source>; trees in the city: %1</source>
+        <translation>、都市の樹木: %1</translation>
+    </message>
+    <message>
+        <source>; trees that count: %1 of %2</source>
+        <translation>、対象の樹木: %2 本中 %1 本</translation>
+    </message>
+    <message>
+        <source>The engine is the ray reference itself, against which others are measured.</source>
+        <translation>このエンジンは、ほかを測る基準となる光線基準そのものです。</translation>
+    </message>
+    <message>
+        <source>The engine&apos;s error against the ray reference was not measured: it was switched off.</source>
+        <translation>光線基準に対するエンジンの誤差は、無効にされていたため測定していません。</translation>
+    </message>
+    <message>
+        <source>The engine&apos;s error against the ray reference could not be measured: see the warnings.</source>
+        <translation>光線基準に対するエンジンの誤差は測定できませんでした。警告を参照してください。</translation>
+    </message>
+    <message>
+        <source>Each run of minutes is uncertain by a step; each area by half of the cells that its edge passes through, at least by one; each area x hours by these and by half of what the area changes from step to step, where the days of a sum err independently of each other. </source>
+        <translation>時間には 1 ステップ、面積には縁が通るセルの半分 (少なくとも 1 個)、面積 x 時間にはその両方とステップ間の面積変化の半分の不確かさがあり、合計の各日の誤差は互いに独立です。 </translation>
+    </message>
+    <message>
+        <source>Worst spots are the worst of the cells&apos; centres and of points around these, down to %1 m from each other; what the nearest found worse is in their error. </source>
+        <translation>最悪の点は、セルの中心とその周りの点 (間隔 %1 m まで) のうち最悪のものです。隣の点でさらに悪い分は誤差に含まれます。 </translation>
+    </message>
+    <message>
+        <source>Worst spots are the worst of the cells&apos; centres, and their error includes the cell. </source>
+        <translation>最悪の点はセルの中心のうち最悪のもので、誤差にはセルが含まれます。 </translation>
+    </message>
+    <message>
+        <source>Shadow enters and exits up to a step (%1 min) earlier than stated, as each step has the sun of its beginning. </source>
+        <translation>各ステップはその始まりの太陽を用いるため、影の開始と終了は表示より最大 1 ステップ (%1 分) 早くなります。 </translation>
+    </message>
+    <message>
+        <source>A value within its error of a limit is borderline, never pass.</source>
+        <translation>限度との差が誤差以内の値は境界とし、適合とはしません。</translation>
     </message>
 </context>
 </TS>
