@@ -12938,7 +12938,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
     <message>
         <source>The project holds %1, see the list of Results. Run review shows its places and timelines again.</source>
-        <translation>Das Projekt enthält %1, siehe die Liste der Ergebnisse. „Prüfung ausführen“ zeigt Orte und Zeitverläufe wieder.</translation>
+        <translation>Das Projekt enthält %1, siehe die Liste der Ergebnisse. „Prüfen“ zeigt Orte und Zeitverläufe wieder.</translation>
     </message>
 </context>
 <context>
