@@ -97,7 +97,6 @@ std::chrono::month_day dayOf(const CheckedRow& row, int column) {
             std::chrono::day(unsigned(row.integer(column + 1, "day", {1, 31})))};
 }
 
-constexpr NumberLimits dayMinutes{0, 24 * 60};
 constexpr std::size_t maxIntervals = 1000;  // checked pairwise for overlap
 
 std::vector<TimeWeights> readWeights(Database& database) {

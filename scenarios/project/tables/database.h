@@ -149,6 +149,7 @@ struct NumberLimits {
     double low = 0;
     double high = 0;
 };
+inline constexpr NumberLimits dayMinutes{0, 24 * 60};  ///< since midnight; 24:00 included
 
 /// Far beyond any project. Larger values could overflow sums and products in float32 and int.
 inline constexpr NumberLimits placeLimitsM{-1e6, 1e6};      ///< local x and y

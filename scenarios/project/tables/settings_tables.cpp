@@ -19,7 +19,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr NumberLimits dayMinutes{0, 24 * 60};
 constexpr NumberLimits offsetMinutes{-12 * 60, 12 * 60};
 constexpr const char* centreName = "centre";
 
