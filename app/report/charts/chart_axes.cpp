@@ -10,8 +10,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr double tickPt = 7, titlePt = 7, keyPt = 7.5;
-constexpr double leftPt = 48, bottomPt = 15, topPt = 16, rightPt = 12;
+constexpr double tickPt = 7, axisTitlePt = 7, keyPt = 7.5;
+constexpr double leftPt = 48, bottomPt = 15, plotTopPt = 16, rightPt = 12;
 constexpr double keyBoxPt = 9, keyGapPt = 3;
 
 void paintText(const Canvas& canvas, const QRectF& box, int flags, const QString& text, double points,
@@ -90,7 +90,7 @@ ChartAxis makeHourAxis(double fromMin, double toMin, double widthPt) {
 }
 
 QRectF plotIn(const QRectF& area, double point) {
-    return area.adjusted(leftPt * point, topPt * point, -rightPt * point, -bottomPt * point);
+    return area.adjusted(leftPt * point, plotTopPt * point, -rightPt * point, -bottomPt * point);
 }
 
 double xOf(const ChartAxis& axis, const QRectF& plot, double value) {
@@ -112,8 +112,8 @@ void paintAxes(const Canvas& canvas, const QRectF& plot, const ChartAxis& across
     canvas.painter.setBrush(Qt::NoBrush);
     canvas.painter.drawRect(plot);
     const double pt = canvas.point;
-    paintText(canvas, {plot.left() - leftPt * pt, plot.top() - topPt * pt, (leftPt - 4) * pt, 10 * pt},
-              Qt::AlignRight | Qt::AlignVCenter, up.title, titlePt, canvas.inks.quiet);
+    paintText(canvas, {plot.left() - leftPt * pt, plot.top() - plotTopPt * pt, (leftPt - 4) * pt, 10 * pt},
+              Qt::AlignRight | Qt::AlignVCenter, up.title, axisTitlePt, canvas.inks.quiet);
 }
 
 QRectF keyBox(const Canvas& canvas, const QRectF& plot, double fromPt, double widthPt) {

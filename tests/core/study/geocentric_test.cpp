@@ -18,7 +18,7 @@ using namespace std::chrono;
 
 constexpr double sideM = 240, cellM = 10, stepMinutes = 2;
 
-struct District {
+struct TerrainDistrict {
     const char* name;
     Geodetic origin;  ///< origin of the city: the middle between its districts
     double eastM;     ///< position of the district
@@ -29,9 +29,11 @@ struct District {
     bool terrain = false;
 };
 
-void PrintTo(const District& place, std::ostream* out) { *out << place.name; }
+void PrintTo(const TerrainDistrict& place, std::ostream* out) { *out << place.name; }
 
-Geodetic districtOf(const District& place) { return displaced(place.origin, place.eastM, place.northM); }
+Geodetic districtOf(const TerrainDistrict& place) {
+    return displaced(place.origin, place.eastM, place.northM);
+}
 
 // Blocks 12 to 60 m high on a lattice.
 std::vector<GeoBox> blocksAround(Geodetic middle) {
@@ -45,14 +47,14 @@ std::vector<GeoBox> blocksAround(Geodetic middle) {
     return blocks;
 }
 
-float dropAt(const District& place, glm::dvec2 local) {
+float dropAt(const TerrainDistrict& place, glm::dvec2 local) {
     return place.terrain ? -float(earthDropM(local)) : 0;
 }
 
 // Makes roofs level in the frame of the city, as those of footprints are: 45 km away on terrain they are
 // inclined by 0.35 deg to the local level, 0.1 m at the edge of a block. Near noon, when the end of a shadow
 // stands still, this changes single cells at that end by half an hour.
-std::vector<GeoBox> levelInFrame(const District& place, std::vector<GeoBox> blocks) {
+std::vector<GeoBox> levelInFrame(const TerrainDistrict& place, std::vector<GeoBox> blocks) {
     const Frame frame({place.origin.lonDeg, place.origin.latDeg});
     for (GeoBox& block : blocks) {
         double drops[4], middle = 0;
@@ -66,7 +68,8 @@ std::vector<GeoBox> levelInFrame(const District& place, std::vector<GeoBox> bloc
     return blocks;
 }
 
-std::shared_ptr<const Building> buildingOf(const District& place, const Frame& frame, const GeoBox& box) {
+std::shared_ptr<const Building> buildingOf(const TerrainDistrict& place, const Frame& frame,
+                                           const GeoBox& box) {
     Part part;
     glm::dvec2 middle(0);
     for (const Geodetic& corner : box.corners) {
@@ -84,7 +87,7 @@ std::shared_ptr<const Building> buildingOf(const District& place, const Frame& f
 
 // The sea around the origin, including both districts, in squares so small that none deviates by a
 // millimetre.
-std::shared_ptr<const Terrain> seaOf(const District& place) {
+std::shared_ptr<const Terrain> seaOf(const TerrainDistrict& place) {
     constexpr int cells = 880;
     constexpr double cellM = 125;
     Terrain sea{{-55e3, -55e3, cellM, cells, cells}, {}};
@@ -94,14 +97,14 @@ std::shared_ptr<const Terrain> seaOf(const District& place) {
     return std::make_shared<const Terrain>(std::move(sea));
 }
 
-City cityOf(const District& place, const std::vector<GeoBox>& blocks) {
+City cityOf(const TerrainDistrict& place, const std::vector<GeoBox>& blocks) {
     City city{.frame = Frame({place.origin.lonDeg, place.origin.latDeg})};
     for (const GeoBox& block : blocks) city.buildings.push_back(buildingOf(place, city.frame, block));
     if (place.terrain) city.terrain = seaOf(place);
     return city;
 }
 
-Study studyOf(const District& place, const City& city, const std::string& engine) {
+Study studyOf(const TerrainDistrict& place, const City& city, const std::string& engine) {
     const Geodetic middle = districtOf(place);
     const glm::vec2 centre(city.frame.localFromLonLat({middle.lonDeg, middle.latDeg}));
     StudySettings settings;
@@ -119,7 +122,7 @@ Study studyOf(const District& place, const City& city, const std::string& engine
     return std::move(*study);
 }
 
-std::vector<glm::dvec3> sunsOf(const District& place) {
+std::vector<glm::dvec3> sunsOf(const TerrainDistrict& place) {
     std::vector<glm::dvec3> suns;
     const double first = double(duration_cast<seconds>(place.date.time_since_epoch()).count());
     for (int step = 0; step < int(place.hours * 60 / stepMinutes); ++step)
@@ -158,7 +161,7 @@ std::string formatText(const Differences& d) {
         d.cells, d.shaded, d.grossMean, d.grossMost, d.grossOff, d.longestMean, d.longestMost, d.longestOff);
 }
 
-std::vector<GeoMinutes> computeTruth(const District& place, const Receivers& receivers,
+std::vector<GeoMinutes> computeTruth(const TerrainDistrict& place, const Receivers& receivers,
                                      const std::vector<GeoBox>& blocks) {
     const std::vector<glm::dvec3> suns = sunsOf(place);
     std::vector<GeoMinutes> truth;
@@ -170,12 +173,12 @@ std::vector<GeoMinutes> computeTruth(const District& place, const Receivers& rec
     return truth;
 }
 
-class Geocentric : public testing::TestWithParam<District> {};
+class Geocentric : public testing::TestWithParam<TerrainDistrict> {};
 
 // Tolerance: a step, since the moment that an edge passes falls on either side of one; in a few cells the sun
 // grazes a corner.
 TEST_P(Geocentric, ShadowOfADistrictFarFromTheMiddleOfItsCity) {
-    const District& place = GetParam();
+    const TerrainDistrict& place = GetParam();
     const std::vector<GeoBox> blocks = blocksAround(districtOf(place));
     const City city = cityOf(place, blocks);
     std::vector<GeoMinutes> truth;
@@ -196,20 +199,20 @@ TEST_P(Geocentric, ShadowOfADistrictFarFromTheMiddleOfItsCity) {
 constexpr Geodetic north62{10, 62, 0}, sydney{151, -33.9, 0}, fiji{179.99, -17.5, 0};
 constexpr sys_days march = 2026y / 3 / 21, june = 2026y / 6 / 20, fijiMarch = 2026y / 3 / 20;
 
-INSTANTIATE_TEST_SUITE_P(Places, Geocentric,
-                         testing::Values(District{"west_copy_62_north", north62, -27.5e3, 0, march, 6, 10},
-                                         District{"east_copy_62_north", north62, 27.5e3, 0, march, 6, 10},
-                                         District{"on_the_sea_45_km_off", north62, 45e3, 0, march, 6, 10,
-                                                  true},
-                                         District{"south_west_of_sydney", sydney, -20e3, -20e3, june, 22, 8},
-                                         District{"beyond_180_degrees", fiji, 27e3, 5e3, fijiMarch, 18, 11},
-                                         District{"before_180_degrees", fiji, -27e3, 5e3, fijiMarch, 18, 11}),
-                         [](const auto& place) { return std::string(place.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Places, Geocentric,
+    testing::Values(TerrainDistrict{"west_copy_62_north", north62, -27.5e3, 0, march, 6, 10},
+                    TerrainDistrict{"east_copy_62_north", north62, 27.5e3, 0, march, 6, 10},
+                    TerrainDistrict{"on_the_sea_45_km_off", north62, 45e3, 0, march, 6, 10, true},
+                    TerrainDistrict{"south_west_of_sydney", sydney, -20e3, -20e3, june, 22, 8},
+                    TerrainDistrict{"beyond_180_degrees", fiji, 27e3, 5e3, fijiMarch, 18, 11},
+                    TerrainDistrict{"before_180_degrees", fiji, -27e3, 5e3, fijiMarch, 18, 11}),
+    [](const auto& place) { return std::string(place.param.name); });
 
 // Open sea from sunrise to sunset; the sun rises and sets at the horizon of the curved sea.
 TEST(GeocentricSea, LiesInTheSunAllDayFarFromTheMiddleOfTheTerrain) {
     for (const glm::dvec2 off : {glm::dvec2(45e3, 0), glm::dvec2(-45e3, 0), glm::dvec2(0, 45e3)}) {
-        const District place{"sea", north62, off.x, off.y, march, 0, 24, true};
+        const TerrainDistrict place{"sea", north62, off.x, off.y, march, 0, 24, true};
         const City city = cityOf(place, {});
         for (const char* engine : {"ray", "horizon"}) {
             const Study study = studyOf(place, city, engine);

@@ -150,20 +150,20 @@ glm::dvec2 centreOf(const Box2& wide, const Box2& narrow, glm::dvec2 shown) {
             middleOf(wide.low.y, wide.high.y, narrow.low.y, narrow.high.y, shown.y)};
 }
 
-using Grid = std::pair<int, int>;
+using DiagramGrid = std::pair<int, int>;
 
 /// The grids of views that a page may have, the densest first: none of whose places most would stay empty.
-std::vector<Grid> gridsOf(const ReviewScene& scene) {
-    std::vector<Grid> grids = scene.settings.setup.landscape
-                                  ? std::vector<Grid>{{3, 2}, {2, 2}, {2, 1}, {1, 1}}
-                                  : std::vector<Grid>{{2, 3}, {2, 2}, {1, 2}, {1, 1}};
-    const auto viewsOf = [](const Grid& grid) { return std::size_t(grid.first * grid.second); };
+std::vector<DiagramGrid> gridsOf(const ReviewScene& scene) {
+    std::vector<DiagramGrid> grids = scene.settings.setup.landscape
+                                         ? std::vector<DiagramGrid>{{3, 2}, {2, 2}, {2, 1}, {1, 1}}
+                                         : std::vector<DiagramGrid>{{2, 3}, {2, 2}, {1, 2}, {1, 1}};
+    const auto viewsOf = [](const DiagramGrid& grid) { return std::size_t(grid.first * grid.second); };
     while (grids.size() > 1 && viewsOf(grids[1]) >= scene.moments.size()) grids.erase(grids.begin());
     if (scene.settings.allPages || scene.settings.scale) return grids;
-    std::erase_if(grids, [&](const Grid& grid) {
+    std::erase_if(grids, [&](const DiagramGrid& grid) {
         return (scene.moments.size() + viewsOf(grid) - 1) / viewsOf(grid) > maxDiagramPages;
     });
-    if (grids.empty()) return {scene.settings.setup.landscape ? Grid{4, 3} : Grid{3, 4}};
+    if (grids.empty()) return {scene.settings.setup.landscape ? DiagramGrid{4, 3} : DiagramGrid{3, 4}};
     return grids;
 }
 
@@ -191,7 +191,7 @@ public:
 private:
     [[nodiscard]] DiagramLayout atScale(double scale) const {
         for (const Box2* shown : {&touching_, &focus_})
-            for (const Grid& grid : grids_)
+            for (const DiagramGrid& grid : grids_)
                 if (holds(grid, scale, *shown))
                     return make(grid, scale, holds(grid, scale, all_) ? all_ : *shown);
         return make(grids_.back(), scale, changed_.empty() ? focus_ : changed_);
@@ -203,7 +203,7 @@ private:
         constexpr double weightOfPages = 0.6;
         std::optional<DiagramLayout> best;
         double minCost = 0;
-        for (const Grid& grid : grids_) {
+        for (const DiagramGrid& grid : grids_) {
             const auto scale =
                 std::ranges::find_if(roundScales, [&](double one) { return holds(grid, one, shown); });
             if (scale == roundScales.end() || *scale > maxScale) continue;
@@ -217,17 +217,17 @@ private:
         return best;
     }
 
-    [[nodiscard]] DiagramLayout make(const Grid& grid, double scale, const Box2& must) const {
+    [[nodiscard]] DiagramLayout make(const DiagramGrid& grid, double scale, const Box2& must) const {
         const glm::dvec2 ground = groundOf(scene_, grid.first, grid.second, scale);
         return {grid.first, grid.second, scale, centreOf(all_, must, ground)};
     }
 
-    [[nodiscard]] bool holds(const Grid& grid, double scale, const Box2& box) const {
+    [[nodiscard]] bool holds(const DiagramGrid& grid, double scale, const Box2& box) const {
         return fits(box, groundOf(scene_, grid.first, grid.second, scale));
     }
 
     const ReviewScene& scene_;
-    std::vector<Grid> grids_;
+    std::vector<DiagramGrid> grids_;
     Box2 changed_, focus_, touching_, all_;
 };
 

@@ -156,7 +156,7 @@ TEST(RayScene, TerrainIsHitAndIsNoBuilding) {
 }
 
 TEST(RayScene, OfNothing) {
-    const RayScene scene = RayScene::over({}).value();
+    const RayScene scene = RayScene::over(City{}).value();
     EXPECT_FALSE(scene.occluded({0, 0, 0}, {0, 0, 1}));
     EXPECT_EQ(scene.triangleCount(), 0);
 }
