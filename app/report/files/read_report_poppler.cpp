@@ -17,7 +17,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int maxPages = 10'000;
+constexpr int maxPagesOfReport = 10'000;
 
 Result<QByteArray> readBytes(const std::filesystem::path& path) {
     if (auto plain = checkPlainFile(path); !plain) return tl::make_unexpected(plain.error());
@@ -32,7 +32,7 @@ Result<QByteArray> readBytes(const std::filesystem::path& path) {
 Result<std::unique_ptr<Poppler::Document>> openPdf(const QByteArray& bytes,
                                                    const std::filesystem::path& path) {
     auto document = Poppler::Document::loadFromData(bytes);
-    if (!document || document->isLocked() || document->numPages() > maxPages)
+    if (!document || document->isLocked() || document->numPages() > maxPagesOfReport)
         return failure("The PDF is damaged, locked or no report", path.string(),
                        "Use the file as Noonmark wrote it");
     return document;
@@ -47,7 +47,7 @@ std::string printedWords(const Poppler::Document& document) {
     return words.toStdString();
 }
 
-constexpr double pictureDpi = 72;  // a letter of 8 pt has 8 points of height
+constexpr double comparedDpi = 72;  // a letter of 8 pt has 8 points of height
 constexpr double sameSizePt = 0.5;
 // Of 255. The same page gives the same picture; a value below is no mark that a reader could see.
 constexpr int visibleDifference = 24;
@@ -56,7 +56,7 @@ bool mustStop(const QVariant& stop) { return stop.value<const std::stop_token*>(
 
 QImage drawPage(const Poppler::Page& page, const std::stop_token& stop) {
     return page
-        .renderToImage(pictureDpi, pictureDpi, -1, -1, -1, -1, Poppler::Page::Rotate0, nullptr, nullptr,
+        .renderToImage(comparedDpi, comparedDpi, -1, -1, -1, -1, Poppler::Page::Rotate0, nullptr, nullptr,
                        mustStop, QVariant::fromValue(&stop))
         .convertToFormat(QImage::Format_RGB32);
 }

@@ -68,8 +68,8 @@ std::vector<GeoBox> levelInFrame(const TerrainDistrict& place, std::vector<GeoBo
     return blocks;
 }
 
-std::shared_ptr<const Building> buildingOf(const TerrainDistrict& place, const Frame& frame,
-                                           const GeoBox& box) {
+std::shared_ptr<const Building> blockBuildingOf(const TerrainDistrict& place, const Frame& frame,
+                                                const GeoBox& box) {
     Part part;
     glm::dvec2 middle(0);
     for (const Geodetic& corner : box.corners) {
@@ -99,7 +99,7 @@ std::shared_ptr<const Terrain> seaOf(const TerrainDistrict& place) {
 
 City cityOf(const TerrainDistrict& place, const std::vector<GeoBox>& blocks) {
     City city{.frame = Frame({place.origin.lonDeg, place.origin.latDeg})};
-    for (const GeoBox& block : blocks) city.buildings.push_back(buildingOf(place, city.frame, block));
+    for (const GeoBox& block : blocks) city.buildings.push_back(blockBuildingOf(place, city.frame, block));
     if (place.terrain) city.terrain = seaOf(place);
     return city;
 }
