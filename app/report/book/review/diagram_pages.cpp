@@ -99,9 +99,10 @@ std::vector<DiagramMoment> fewOf(const std::vector<DiagramMoment>& all) {
     if (all.size() <= maxSunViewsADay) return all;
     const auto noon = std::ranges::min_element(
         all, {}, [](const DiagramMoment& moment) { return std::abs(moment.minute - 720); });
-    std::vector<DiagramMoment> few{all.front()};
-    if (noon != all.begin() && noon != all.end() - 1) few.push_back(*noon);
-    few.push_back(all.back());
+    std::vector<DiagramMoment> few;
+    few.reserve(maxSunViewsADay);
+    for (auto moment = all.begin(); moment != all.end(); ++moment)
+        if (moment == all.begin() || moment == noon || moment == all.end() - 1) few.push_back(*moment);
     return few;
 }
 
