@@ -82,7 +82,7 @@ endfunction()
 if(CMAKE_UNITY_BUILD)
   target_compile_options(noonmark_flags INTERFACE -Wno-shadow)
 endif()
-set(NOONMARK_UNITY_BYTES 400000)
+set(NOONMARK_UNITY_BYTES 400000)  # a target's property of this name counts before it
 
 # Groups the sources of this folder's targets for the unity build. Call it last in a CMakeLists.txt: source properties belong to a folder.
 function(noonmark_group_for_unity)
@@ -111,6 +111,10 @@ function(noonmark_group_sources target)
     endif()
     list(APPEND together ${path})
   endforeach()
+  get_target_property(bytes ${target} NOONMARK_UNITY_BYTES)
+  if(bytes)
+    set(NOONMARK_UNITY_BYTES ${bytes})
+  endif()
   noonmark_cut_into_groups(${target} ${together})
 endfunction()
 
