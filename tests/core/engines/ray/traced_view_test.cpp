@@ -258,10 +258,10 @@ TEST(TracedView, CrownsShadeWhatBuildingsLeaveInTheSun) {
 TEST(TracedView, TreesHideWhatIsBehindThem) {
     const OneBox scene;
     const TracedView without = trace(scene.city, scene.camera, {});
-    const std::size_t pixel = scene.pixelOf({0, -35, 15});
+    const std::size_t pixel = scene.pixelOf({0, -35, 22});
     ASSERT_EQ(kindOf(without.pixels[pixel]), SeenKind::building);
     for (const TreePart part : {TreePart::evergreen, TreePart::leafy, TreePart::trunk}) {
-        const auto trees = treesOf({{-5, -35, 5}, {5, -25, 20}}, part);
+        const auto trees = treesOf({{-5, -35, 5}, {5, -25, 25}}, part);
         const TracedView view = trace(scene.city, scene.camera, {.trees = trees});
         EXPECT_EQ(treePartOf(view.pixels[pixel]), part);
         EXPECT_NEAR(placeOf(scene.camera, view, pixel).y, -35, 0.01);
@@ -290,11 +290,11 @@ TEST(TracedView, BuildingsHideTheTreesBehindThem) {
 
 TEST(TracedView, BareCrownsAreSeenThrough) {
     const OneBox scene;
-    auto trees = treesOf({{-5, -35, 5}, {5, -25, 20}}, TreePart::bare);
+    auto trees = treesOf({{-5, -35, 5}, {5, -25, 25}}, TreePart::bare);
     trees.push_back(treesOf({{-1, -31, 0}, {1, -29, 12}}, TreePart::trunk)[0]);
     const TracedView view = trace(scene.city, scene.camera, {.trees = trees});
     const TracedView without = trace(scene.city, scene.camera, {});
-    const std::size_t facade = scene.pixelOf({3, -35, 15}), trunk = scene.pixelOf({0, -31, 8});
+    const std::size_t facade = scene.pixelOf({3, -35, 22}), trunk = scene.pixelOf({0, -31, 8});
     EXPECT_TRUE(isBehindBareCrown(view.pixels[facade]));
     EXPECT_EQ(view.pixels[facade].depthM, -without.pixels[facade].depthM);
     EXPECT_EQ(view.pixels[facade].bits, without.pixels[facade].bits);

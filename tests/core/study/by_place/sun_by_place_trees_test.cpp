@@ -271,7 +271,7 @@ TEST(SunByPlace, ABaselineWithoutColumnsOfTreesHasInThemItsSunWithout) {
     EXPECT_EQ(json["definitions"], whole["definitions"]);
     EXPECT_EQ(json["engine_trees"], whole["engine_trees"]);
     EXPECT_THAT(toCsv(makeTable(bare.baseline, bare.compared)),
-                HasSubstr("change_hours_2026_02_seasonal_avenue"));
+                HasSubstr("change_hours_2026-02_seasonal_avenue"));
 
     const auto shown = inColumn(bare, TreeColumns::seasonal);
     ASSERT_TRUE(shown);
