@@ -8605,6 +8605,14 @@ Opens the panel Review.</source>
         <source>dwelling</source>
         <translation>Wohnung</translation>
     </message>
+    <message>
+        <source>greenstreet</source>
+        <translation>Rasen oder Beet</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>anderer Ort</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>

@@ -8605,6 +8605,14 @@ Abre el panel Evaluación.</translation>
         <source>dwelling</source>
         <translation>vivienda</translation>
     </message>
+    <message>
+        <source>greenstreet</source>
+        <translation>césped o parterre</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>otro lugar</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>

@@ -7132,7 +7132,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source> or </source>
-        <translation>または</translation>
+        <translation> または </translation>
     </message>
     <message>
         <source>Times: %1.</source>
@@ -8573,6 +8573,14 @@ Opens the panel Review.</source>
     <message>
         <source>dwelling</source>
         <translation>住戸</translation>
+    </message>
+    <message>
+        <source>greenstreet</source>
+        <translation>芝生または花壇</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>その他の場所</translation>
     </message>
 </context>
 <context>
@@ -16006,7 +16014,7 @@ Click a building first.</source>
     </message>
     <message>
         <source>or</source>
-        <translation>または</translation>
+        <translation> または </translation>
     </message>
     <message>
         <source>share</source>
