@@ -353,19 +353,19 @@ TEST_F(ReviewWindow, UnitsOfTheProjectAreShownAtOnce) {
     };
     const auto* reading = dock().findChild<QLabel*>(QStringLiteral("timelineReading"));
     ASSERT_TRUE(waitFor([&] { return !dock().day().working().busy() && !reading->text().isEmpty(); }));
-    const int metric = titleOf(QStringLiteral("m2")), columns = table.columnCount();
+    const int metric = titleOf(QStringLiteral("m²")), columns = table.columnCount();
     ASSERT_GE(metric, 0);
     setUnits(UnitSystem::imperial);
-    EXPECT_EQ(titleOf(QStringLiteral("m2")), -1);
+    EXPECT_EQ(titleOf(QStringLiteral("m²")), -1);
     EXPECT_EQ(titleOf(QStringLiteral("sq ft")), metric);
     EXPECT_EQ(table.columnCount(), columns);
     EXPECT_EQ(dock().day().chart().units, UnitSystem::imperial);
     EXPECT_FALSE(reading->text().contains(QStringLiteral("m²"))) << reading->text().toStdString();
     setUnits(UnitSystem::both);
-    EXPECT_EQ(titleOf(QStringLiteral("sq ft")), titleOf(QStringLiteral("m2")) + 1);
+    EXPECT_EQ(titleOf(QStringLiteral("sq ft")), titleOf(QStringLiteral("m²")) + 1);
     EXPECT_EQ(table.columnCount(), columns + 1);
     setUnits(UnitSystem::metric);
-    EXPECT_EQ(titleOf(QStringLiteral("m2")), metric);
+    EXPECT_EQ(titleOf(QStringLiteral("m²")), metric);
 }
 
 TEST_F(ReviewWindow, TheChoiceIsSavedWithTheProjectAndFollowsRenaming) {
