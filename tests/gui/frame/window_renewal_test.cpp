@@ -1,3 +1,4 @@
+#include "app/gui/docks/review/rule_form.h"
 #include "app/gui/frame/window_start.h"
 
 #include <gtest/gtest.h>
@@ -188,10 +189,17 @@ TEST_F(RenewalTest, RulesAreInTheNewLanguageAtOnce) {
         const auto* list = window().findChild<QComboBox*>(QStringLiteral("reviewOption"));
         return list == nullptr ? QStringList() : QStringList{list->itemText(1), list->itemData(1).toString()};
     };
+    const auto show = [&] {  // the form is filled once it is in sight
+        const auto* form = window().findChild<RuleForm*>();
+        for (QDockWidget* dock : window().findChildren<QDockWidget*>())
+            if (dock->isAncestorOf(form)) dock->show(), dock->raise();
+    };
+    show();
     choose("en-17037");
     ASSERT_TRUE(waitFor([&] { return !option().isEmpty(); }));
     EXPECT_EQ(option()[0], option()[1]);
     this->choose(Language::german, UnitSystem::metric);
+    show();
     ASSERT_TRUE(waitFor([&] { return !option().isEmpty(); }));
     EXPECT_NE(option()[0], option()[1]) << "the key stays, the option is translated";
     EXPECT_EQ(option()[0], ruleName(option()[1].toStdString()));
