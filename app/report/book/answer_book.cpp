@@ -189,7 +189,7 @@ struct ComparedSide {
 PageMap grossMap(const ComparedSide& side, const Region& region, const Legend& legend) {
     auto owned = std::make_shared<MapOfCity>(MapOfCity{side.city});
     owned->map.emplace(SheetMap{makeGrossScene(owned->city, region, side.field, coloursOf(legend)), legend});
-    return {{owned, &*owned->map}, {plainText(side.name), legend.unit}};
+    return {{owned, &*owned->map}, {plainText(scenarioText(side.name)), sheetWord(legend.unit)}};
 }
 
 /// The city before the change, from that after it.
@@ -483,7 +483,7 @@ Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const S
         {sheetText("Figure"), sheetText("Value")}, {}, {}, {}, tablePt * textScale(settings.setup)};
     for (const FigureLine& line : lines)
         table.rows.push_back({plainText(labelOf(line)), plainText(valueOf(line, settings.units))});
-    book.pages = makeTablePages(book.setup, {title, plainText(result.scenario), title, 0, {}},
+    book.pages = makeTablePages(book.setup, {title, plainText(scenarioText(result.scenario)), title, 0, {}},
                                 {{sheetText("Figures"), {}, std::move(table)}});
     appendPages(book, std::move(more));
     TextBlocks blocks{heading(sheetText("Definitions")), body(defineFigures(lines))};

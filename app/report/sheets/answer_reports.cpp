@@ -30,7 +30,7 @@ TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale, c
                           unitOf(ShadowMeasure::continuous))),
             body(sheetText("Change: minutes in %1 minus minutes in %2, with the same engine, steps and "
                            "cells; positive means more %3. %4")
-                     .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from),
+                     .arg(scenarioText(answer.to), scenarioText(answer.from),
                           isSun ? sheetText("sun") : sheetText("shadow"),
                           defineFigures(listLines(computeFigures(answer), legend.show))))};
 }
@@ -156,8 +156,8 @@ Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const Ch
         zoomOnChange(answer, map);
         return map;
     };
-    const QString subject = sheetText("%1 compared with %2")
-                                .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from));
+    const QString subject =
+        sheetText("%1 compared with %2").arg(scenarioText(answer.to), scenarioText(answer.from));
     const QString sunlit =
         sheetText("sun above the horizon for %1 min a day").arg(describeAmount(impact.sunlitMinutesPerDay));
     Sheet sheet{.headline = makeHeadline(answer.settings.study, source.city.frame, subject,

@@ -12,6 +12,8 @@
 #include "core/base/version.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
+#include "core/receivers/made_names.h"
+#include "scenarios/scenario.h"
 
 namespace noonmark {
 
@@ -58,6 +60,19 @@ QString describeLatLon(LonLat place) {
         .arg(place.lonDeg < 0 ? sheetText("W") : sheetText("E"));
 }
 
+QString scenarioText(const std::string& name) {
+    return name == existingCity ? sheetText(name) : QString::fromStdString(name);
+}
+
+QString regionText(const std::string& name) {
+    const auto made = findMadeName(name);
+    if (!made) return QString::fromStdString(name);
+    std::vector<std::string> parts;
+    for (const Sentence::Argument& part : made->arguments)
+        parts.push_back(regionText(std::get<std::string>(part)).toStdString());
+    return QString::fromStdString(fillIn(localText(made->source), parts));
+}
+
 QString describePlace(const Region& region, const Frame& frame) {
     const Box2 box = bounds(region);
     if (box.empty()) return {};
@@ -82,7 +97,7 @@ QString describeData(const std::string& attribution) {
 }
 
 QString describeEngineUsed(const std::string& engine) {
-    return QString::fromStdString(engine.substr(0, engine.find(" (chosen: ")));
+    return sheetText(engine.substr(0, engine.find(" (chosen: ")));
 }
 
 QString describeProgram() {

@@ -205,8 +205,8 @@ Result<FillCount> shadeInParts(const Shade& shade, const Receivers& receivers, c
 Result<ShadowField> fillShadows(const City& city, const Receivers& receivers, const SunSteps& sun,
                                 Progress& progress, const std::stop_token& stop) {
     ShadowField field = makeBlankField(receivers, sun);
-    field.engine =
-        "Projected shadows: each building's shadow filled as polygons at every step, exact on flat ground";
+    field.engine = NM_TEXT(
+        "Projected shadows: each building's shadow filled as polygons at every step, exact on flat ground");
     const Stopwatch watch;
     const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, sun, field.cost);
     const ShadowCasters casters = makeShadowCasters(city, used, receivers.grid);
