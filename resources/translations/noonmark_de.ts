@@ -8677,6 +8677,34 @@ Opens the panel Review.</source>
         <source>buildings whose shadow cannot reach a receiver</source>
         <translation>Gebäude, deren Schatten keinen Messpunkt erreichen kann</translation>
     </message>
+    <message>
+        <source>Projected shadows: exact on flat ground, one run for all months and intervals</source>
+        <translation>Projizierte Schatten: genau auf ebenem Boden, ein Lauf für alle Monate und Intervalle</translation>
+    </message>
+    <message>
+        <source>%1 % mean, %2 % largest, against rays</source>
+        <translation>im Mittel %1 %, höchstens %2 %, gegen Strahlen</translation>
+    </message>
+    <message>
+        <source>%1 takes more than a minute of sun a day from one place, at most %2 at one spot.</source>
+        <translation>%1 nimmt einem Ort mehr als eine Minute Sonne am Tag, höchstens %2 an einer Stelle.</translation>
+    </message>
+    <message>
+        <source>%1 adds more than a minute of shadow a day to one place, at most %2 at one spot.</source>
+        <translation>%1 bringt einem Ort mehr als eine Minute Schatten am Tag, höchstens %2 an einer Stelle.</translation>
+    </message>
+    <message>
+        <source>the ground</source>
+        <translation>dem Boden</translation>
+    </message>
+    <message>
+        <source>roofs</source>
+        <translation>Dächern</translation>
+    </message>
+    <message>
+        <source>the ground and roofs</source>
+        <translation>dem Boden und Dächern</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>

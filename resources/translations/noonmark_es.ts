@@ -8677,6 +8677,34 @@ Abre el panel Evaluación.</translation>
         <source>buildings whose shadow cannot reach a receiver</source>
         <translation>edificios cuya sombra no puede alcanzar ningún receptor</translation>
     </message>
+    <message>
+        <source>Projected shadows: exact on flat ground, one run for all months and intervals</source>
+        <translation>Sombras proyectadas: exactas en terreno llano, una pasada para todos los meses e intervalos</translation>
+    </message>
+    <message>
+        <source>%1 % mean, %2 % largest, against rays</source>
+        <translation>%1 % de media, %2 % como máximo, frente a los rayos</translation>
+    </message>
+    <message>
+        <source>%1 takes more than a minute of sun a day from one place, at most %2 at one spot.</source>
+        <translation>%1 quita más de un minuto de sol al día a un lugar, como máximo %2 en un punto.</translation>
+    </message>
+    <message>
+        <source>%1 adds more than a minute of shadow a day to one place, at most %2 at one spot.</source>
+        <translation>%1 añade más de un minuto de sombra al día a un lugar, como máximo %2 en un punto.</translation>
+    </message>
+    <message>
+        <source>the ground</source>
+        <translation>el suelo</translation>
+    </message>
+    <message>
+        <source>roofs</source>
+        <translation>tejados</translation>
+    </message>
+    <message>
+        <source>the ground and roofs</source>
+        <translation>el suelo y los tejados</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>

@@ -8646,6 +8646,34 @@ Opens the panel Review.</source>
         <source>buildings whose shadow cannot reach a receiver</source>
         <translation>影が測定点に届かない建物</translation>
     </message>
+    <message>
+        <source>Projected shadows: exact on flat ground, one run for all months and intervals</source>
+        <translation>投影した影: 平らな地面で厳密。すべての月と区間を一度に計算</translation>
+    </message>
+    <message>
+        <source>%1 % mean, %2 % largest, against rays</source>
+        <translation>レイに対し平均 %1 %、最大 %2 %</translation>
+    </message>
+    <message>
+        <source>%1 takes more than a minute of sun a day from one place, at most %2 at one spot.</source>
+        <translation>%1 は 1 か所で 1 日 1 分を超える日照を奪い、1 地点では最大 %2 です。</translation>
+    </message>
+    <message>
+        <source>%1 adds more than a minute of shadow a day to one place, at most %2 at one spot.</source>
+        <translation>%1 は 1 か所に 1 日 1 分を超える影を加え、最大は一地点で %2 です。</translation>
+    </message>
+    <message>
+        <source>the ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>roofs</source>
+        <translation>屋根</translation>
+    </message>
+    <message>
+        <source>the ground and roofs</source>
+        <translation>地面と屋根</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>

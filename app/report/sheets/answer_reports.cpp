@@ -214,11 +214,11 @@ TextBlocks methodOf(const ScoreAnswer& answer) {
 
 // Intervals without a sun step have neither area nor score and are skipped.
 TextBlocks weightsOf(const ScoreAnswer& answer) {
-    TextBlocks blocks{heading(sheetText("Weights: %1").arg(QString::fromStdString(answer.weights.name)))};
+    TextBlocks blocks{heading(sheetText("Weights: %1").arg(weightText(answer.weights.name)))};
     for (const IntervalFigures& interval : answer.score.intervals)
         if (interval.shadowAreaM2 > 0)
             blocks.push_back(body(QStringLiteral("%1: %2").arg(
-                QString::fromStdString(interval.name),
+                weightText(interval.name),
                 QString::fromStdString(joinLines(listLines(scoreIntervalFigures().of(interval)))))));
     return blocks;
 }
@@ -265,7 +265,7 @@ std::vector<FigureText> makeScoreFigures(const Score& score) {
 
 Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source, const LegendChoice& legend) {
     const SheetScope words;
-    const QString subject = sheetText("Shadow score of %1").arg(QString::fromStdString(answer.scenario));
+    const QString subject = sheetText("Shadow score of %1").arg(scenarioText(answer.scenario));
     std::vector<TextBlocks> sections{methodOf(answer), errorBlocks(answer.score.errors), weightsOf(answer)};
     for (TextBlocks& section : sourcesOf(answer, source, listLegendOptions(legend, true)))
         sections.push_back(std::move(section));

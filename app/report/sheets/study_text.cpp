@@ -32,6 +32,12 @@ constexpr std::array countedNouns{CountedNoun{"day", NM_TEXT("%1 day"), NM_TEXT(
 
 QString plainWords(const std::string& text) { return QString::fromStdString(text); }
 
+// Core writes "x" and "m2", as files for programs do.
+QString withSigns(QString text) {
+    return text.replace(QStringLiteral(" x "), QStringLiteral(" × "))
+        .replace(QStringLiteral(" m2"), QStringLiteral(" m²"));
+}
+
 }  // namespace
 
 QString describeCount(std::uint64_t count) { return sheetNumbers(formatNumber(double(count))); }
@@ -72,6 +78,15 @@ QString regionText(const std::string& name) {
         parts.push_back(regionText(std::get<std::string>(part)).toStdString());
     return QString::fromStdString(fillIn(localText(made->source), parts));
 }
+
+QString weightText(const std::string& name) {
+    for (unsigned month = 1; month <= 12; ++month)
+        if (englishWording().month(std::chrono::month(month), false) == name)
+            return QString::fromStdString(wordingInUse().month(std::chrono::month(month), false));
+    return name == "default" ? sheetText(name) : QString::fromStdString(name);
+}
+
+QString definitionText(const Figure& figure) { return withSigns(sheetText(figure.definition)); }
 
 QString describePlace(const Region& region, const Frame& frame) {
     const Box2 box = bounds(region);
@@ -114,7 +129,7 @@ std::vector<FigureText> figureTexts(const std::vector<FigureLine>& lines) {
 
 QString defineFigures(std::vector<FigureLine> lines) {
     std::erase_if(lines, [](const FigureLine& line) { return line.figure->use != FigureUse::result; });
-    return plainWords(definitionsOf(lines)).replace(QStringLiteral(" x "), QStringLiteral(" × "));
+    return withSigns(plainWords(definitionsOf(lines)));
 }
 
 std::vector<FigureText> computeFigures(const Study& study, ShownAs show) {

@@ -18,6 +18,11 @@ QString describeLatLon(LonLat place);  ///< "40.75400 N, 73.98401 W"
 QString scenarioText(const std::string& name);
 /// The name of a region: one that the program made ("the whole city") in the language of the sheet.
 QString regionText(const std::string& name);
+/// The name of a weight table or of one of its intervals: months and that of the tables' default in the
+/// language of the sheet.
+QString weightText(const std::string& name);
+/// What a figure is, as defineFigures() writes it.
+QString definitionText(const Figure& figure);
 /// Size and centre of a region.
 QString describePlace(const Region& region, const Frame& frame);
 QString describeSunlit(const Study& study);  ///< how long the sun is up during the measured hours

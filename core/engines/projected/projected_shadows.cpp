@@ -156,7 +156,8 @@ Result<ShadowBreakdown> computeProjectedBreakdown(const City& city, const Receiv
     const ShadowCasters casters =
         makeShadowCasters(city, findBuildingsInReach(city, receivers, sun), receivers.grid);
     ShadowBreakdown breakdown{receivers.grid, sets, sets.sunlitMinutes(sun), receivers.cells, {}, {}, {}, {}};
-    breakdown.engine = "Projected shadows: exact on flat ground, one run for all months and intervals";
+    breakdown.engine =
+        NM_TEXT("Projected shadows: exact on flat ground, one run for all months and intervals");
     for (std::size_t set = 0; set < sets.names.size(); ++set) {
         const SunSteps own = sets.stepsOf(set, sun);
         ShadowField field = makeBlankField(receivers, own);
