@@ -1,6 +1,7 @@
 #include "app/report/book/review/glazing_book.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/report/book/answer_books.h"
 #include "app/report/book/flow.h"
@@ -89,10 +90,13 @@ NamedTable buildingTable(const GlazingBookSource& source, double points, std::si
     return {sheetText("Buildings"), note, std::move(table)};
 }
 
+// North is 0, also where an azimuth rounds to 360.
+QString azimuthText(double degrees) { return QString::number(std::lround(degrees) % 360); }
+
 std::vector<QString> glazingRow(const GlazingStudy& study, const GlazingReview& review) {
     const ReviewedGlazing& window = review.window;
     std::vector<QString> row{plainText(window.id), QString::number(window.floor),
-                             window.azimuthDeg ? describeAmount(*window.azimuthDeg, 0) : QStringLiteral("-")};
+                             window.azimuthDeg ? azimuthText(*window.azimuthDeg) : QStringLiteral("-")};
     for (std::size_t i = 0; i < review.results.size(); ++i) {
         const Criterion& criterion = study.rule.criteria[i];
         row.push_back(sheetNumbers(valueText(criterion, review.results[i].former)));
