@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/describe/text.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {
@@ -109,7 +110,8 @@ void addRoofs(Receivers& receivers, const City& city) {
 }  // namespace
 
 std::string_view describe(ReceiverPlaces places) {
-    constexpr std::string_view words[] = {"the ground", "roofs", "the ground and roofs"};
+    constexpr std::string_view words[] = {NM_TEXT("the ground"), NM_TEXT("roofs"),
+                                          NM_TEXT("the ground and roofs")};
     return words[std::size_t(places)];
 }
 

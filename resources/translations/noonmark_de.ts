@@ -3965,6 +3965,18 @@ Opens the panel Review.</source>
         <source>Buildings of more than 25 m: at most 3 h of shadow on neighbours&apos; homes on 3 November and 8 February, or no more than a body within the zoning.</source>
         <translation>Gebäude von mehr als 25 m: höchstens 3 h Schatten auf Wohnungen der Nachbarn am 3. November und 8. Februar, oder nicht mehr als ein Körper nach Bauordnung.</translation>
     </message>
+    <message>
+        <source>Slopes: there is no terrain, so the ground is taken as flat</source>
+        <translation>Hänge: es gibt kein Gelände, daher gilt der Boden als eben</translation>
+    </message>
+    <message>
+        <source>The rule leaves terrain out; here terrain casts shadow</source>
+        <translation>Die Regel lässt Gelände weg; hier wirft es Schatten</translation>
+    </message>
+    <message>
+        <source>Where the windows are: one was assumed in each bay and storey of the facades</source>
+        <translation>Wo die Fenster sind: in jeder Achse und jedem Geschoss der Fassaden wurde eines angenommen</translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>
@@ -4395,7 +4407,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>left out</source>
-        <translation>weglassen</translation>
+        <translation>ausgelassen</translation>
     </message>
     <message>
         <source>Author</source>
@@ -8606,12 +8618,92 @@ Opens the panel Review.</source>
         <translation>Wohnung</translation>
     </message>
     <message>
-        <source>greenstreet</source>
-        <translation>Rasen oder Beet</translation>
+        <source>% of the sky&apos;s light</source>
+        <translation>% des Himmelslichts</translation>
     </message>
     <message>
-        <source>other</source>
-        <translation>anderer Ort</translation>
+        <source>% of the year&apos;s probable sun</source>
+        <translation>% der wahrscheinlichen Sonne des Jahres</translation>
+    </message>
+    <message>
+        <source>rays</source>
+        <translation>Strahlen</translation>
+    </message>
+    <message>
+        <source>horizons with ends by rays</source>
+        <translation>Horizonte, deren Enden Strahlen bestimmen</translation>
+    </message>
+    <message>
+        <source>The windows of %1 more buildings are in windows.csv</source>
+        <translation>Die Fenster weiterer Gebäude stehen in windows.csv: %1 Gebäude</translation>
+    </message>
+    <message>
+        <source>; %1 more windows are in windows.csv</source>
+        <translation>; weitere Fenster in windows.csv: %1</translation>
+    </message>
+    <message>
+        <source>Projected shadows: each building&apos;s shadow filled as polygons at every step, exact on flat ground</source>
+        <translation>Projizierte Schatten: der Schatten jedes Gebäudes bei jedem Schritt als Polygone gefüllt, genau auf ebenem Boden</translation>
+    </message>
+    <message>
+        <source>cells under buildings</source>
+        <translation>Zellen unter Gebäuden</translation>
+    </message>
+    <message>
+        <source>cells outside the region</source>
+        <translation>Zellen außerhalb des Gebiets</translation>
+    </message>
+    <message>
+        <source>cells on water</source>
+        <translation>Zellen auf Wasser</translation>
+    </message>
+    <message>
+        <source>steps with the sun below the horizon</source>
+        <translation>Schritte mit der Sonne unter dem Horizont</translation>
+    </message>
+    <message>
+        <source>shadows that meet no receiver (casters x steps x bands of rows)</source>
+        <translation>Schatten, die keinen Messpunkt treffen (Werfer x Schritte x Zeilenbänder)</translation>
+    </message>
+    <message>
+        <source>prisms and solids whose shadow cannot reach a tile (each x azimuth bins)</source>
+        <translation>Prismen und Körper, deren Schatten eine Kachel nicht erreichen kann (je x Azimutklassen)</translation>
+    </message>
+    <message>
+        <source>day %1 of %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>buildings whose shadow cannot reach a receiver</source>
+        <translation>Gebäude, deren Schatten keinen Messpunkt erreichen kann</translation>
+    </message>
+    <message>
+        <source>Projected shadows: exact on flat ground, one run for all months and intervals</source>
+        <translation>Projizierte Schatten: genau auf ebenem Boden, ein Lauf für alle Monate und Intervalle</translation>
+    </message>
+    <message>
+        <source>%1 % mean, %2 % largest, against rays</source>
+        <translation>im Mittel %1 %, höchstens %2 %, gegen Strahlen</translation>
+    </message>
+    <message>
+        <source>%1 takes more than a minute of sun a day from one place, at most %2 at one spot.</source>
+        <translation>%1 nimmt einem Ort mehr als eine Minute Sonne am Tag, höchstens %2 an einer Stelle.</translation>
+    </message>
+    <message>
+        <source>%1 adds more than a minute of shadow a day to one place, at most %2 at one spot.</source>
+        <translation>%1 bringt einem Ort mehr als eine Minute Schatten am Tag, höchstens %2 an einer Stelle.</translation>
+    </message>
+    <message>
+        <source>the ground</source>
+        <translation>dem Boden</translation>
+    </message>
+    <message>
+        <source>roofs</source>
+        <translation>Dächern</translation>
+    </message>
+    <message>
+        <source>the ground and roofs</source>
+        <translation>dem Boden und Dächern</translation>
     </message>
 </context>
 <context>

@@ -3965,6 +3965,18 @@ Abre el panel Evaluación.</translation>
         <source>Buildings of more than 25 m: at most 3 h of shadow on neighbours&apos; homes on 3 November and 8 February, or no more than a body within the zoning.</source>
         <translation>Edificios de más de 25 m: como máximo 3 h de sombra sobre las viviendas vecinas el 3 de noviembre y el 8 de febrero, o no más que un cuerpo permitido.</translation>
     </message>
+    <message>
+        <source>Slopes: there is no terrain, so the ground is taken as flat</source>
+        <translation>Pendientes: no hay terreno, por lo que el suelo se toma como llano</translation>
+    </message>
+    <message>
+        <source>The rule leaves terrain out; here terrain casts shadow</source>
+        <translation>La norma no cuenta el terreno; aquí el terreno da sombra</translation>
+    </message>
+    <message>
+        <source>Where the windows are: one was assumed in each bay and storey of the facades</source>
+        <translation>Dónde están las ventanas: se supuso una en cada tramo y planta de las fachadas</translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>
@@ -8606,12 +8618,92 @@ Abre el panel Evaluación.</translation>
         <translation>vivienda</translation>
     </message>
     <message>
-        <source>greenstreet</source>
-        <translation>césped o parterre</translation>
+        <source>% of the sky&apos;s light</source>
+        <translation>% de la luz del cielo</translation>
     </message>
     <message>
-        <source>other</source>
-        <translation>otro lugar</translation>
+        <source>% of the year&apos;s probable sun</source>
+        <translation>% del sol probable del año</translation>
+    </message>
+    <message>
+        <source>rays</source>
+        <translation>rayos</translation>
+    </message>
+    <message>
+        <source>horizons with ends by rays</source>
+        <translation>horizontes con los extremos por rayos</translation>
+    </message>
+    <message>
+        <source>The windows of %1 more buildings are in windows.csv</source>
+        <translation>Las ventanas de otros edificios están en windows.csv: %1 edificios</translation>
+    </message>
+    <message>
+        <source>; %1 more windows are in windows.csv</source>
+        <translation>; más ventanas en windows.csv: %1</translation>
+    </message>
+    <message>
+        <source>Projected shadows: each building&apos;s shadow filled as polygons at every step, exact on flat ground</source>
+        <translation>Sombras proyectadas: la sombra de cada edificio rellenada como polígonos en cada paso, exacta en terreno llano</translation>
+    </message>
+    <message>
+        <source>cells under buildings</source>
+        <translation>celdas bajo edificios</translation>
+    </message>
+    <message>
+        <source>cells outside the region</source>
+        <translation>celdas fuera de la zona</translation>
+    </message>
+    <message>
+        <source>cells on water</source>
+        <translation>celdas sobre agua</translation>
+    </message>
+    <message>
+        <source>steps with the sun below the horizon</source>
+        <translation>pasos con el sol bajo el horizonte</translation>
+    </message>
+    <message>
+        <source>shadows that meet no receiver (casters x steps x bands of rows)</source>
+        <translation>sombras que no tocan ningún receptor (emisores x pasos x bandas de filas)</translation>
+    </message>
+    <message>
+        <source>prisms and solids whose shadow cannot reach a tile (each x azimuth bins)</source>
+        <translation>prismas y sólidos cuya sombra no puede alcanzar una tesela (cada uno x clases de azimut)</translation>
+    </message>
+    <message>
+        <source>day %1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>buildings whose shadow cannot reach a receiver</source>
+        <translation>edificios cuya sombra no puede alcanzar ningún receptor</translation>
+    </message>
+    <message>
+        <source>Projected shadows: exact on flat ground, one run for all months and intervals</source>
+        <translation>Sombras proyectadas: exactas en terreno llano, una pasada para todos los meses e intervalos</translation>
+    </message>
+    <message>
+        <source>%1 % mean, %2 % largest, against rays</source>
+        <translation>%1 % de media, %2 % como máximo, frente a los rayos</translation>
+    </message>
+    <message>
+        <source>%1 takes more than a minute of sun a day from one place, at most %2 at one spot.</source>
+        <translation>%1 quita más de un minuto de sol al día a un lugar, como máximo %2 en un punto.</translation>
+    </message>
+    <message>
+        <source>%1 adds more than a minute of shadow a day to one place, at most %2 at one spot.</source>
+        <translation>%1 añade más de un minuto de sombra al día a un lugar, como máximo %2 en un punto.</translation>
+    </message>
+    <message>
+        <source>the ground</source>
+        <translation>el suelo</translation>
+    </message>
+    <message>
+        <source>roofs</source>
+        <translation>tejados</translation>
+    </message>
+    <message>
+        <source>the ground and roofs</source>
+        <translation>el suelo y los tejados</translation>
     </message>
 </context>
 <context>

@@ -3934,6 +3934,18 @@ Opens the panel Review.</source>
         <source>Buildings of more than 25 m: at most 3 h of shadow on neighbours&apos; homes on 3 November and 8 February, or no more than a body within the zoning.</source>
         <translation>25 m を超える建物: 11 月 3 日と 2 月 8 日に隣接する住宅への影が 3 時間以内、または許容建物形状による影以内。</translation>
     </message>
+    <message>
+        <source>Slopes: there is no terrain, so the ground is taken as flat</source>
+        <translation>斜面: 地形がないので、地面は平らとみなします</translation>
+    </message>
+    <message>
+        <source>The rule leaves terrain out; here terrain casts shadow</source>
+        <translation>規定は地形を除きますが、ここでは地形も影を落とします</translation>
+    </message>
+    <message>
+        <source>Where the windows are: one was assumed in each bay and storey of the facades</source>
+        <translation>窓の位置: 外壁の各スパンと各階に一つずつあると仮定しました</translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>
@@ -4364,7 +4376,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>left out</source>
-        <translation>記載しない</translation>
+        <translation>除外</translation>
     </message>
     <message>
         <source>Author</source>
@@ -7132,7 +7144,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source> or </source>
-        <translation> または </translation>
+        <translation>または</translation>
     </message>
     <message>
         <source>Times: %1.</source>
@@ -8575,12 +8587,92 @@ Opens the panel Review.</source>
         <translation>住戸</translation>
     </message>
     <message>
-        <source>greenstreet</source>
-        <translation>芝生または花壇</translation>
+        <source>% of the sky&apos;s light</source>
+        <translation>天空光に対する %</translation>
     </message>
     <message>
-        <source>other</source>
-        <translation>その他の場所</translation>
+        <source>% of the year&apos;s probable sun</source>
+        <translation>年間の可能日照に対する %</translation>
+    </message>
+    <message>
+        <source>rays</source>
+        <translation>レイ</translation>
+    </message>
+    <message>
+        <source>horizons with ends by rays</source>
+        <translation>端をレイで求める地平線</translation>
+    </message>
+    <message>
+        <source>The windows of %1 more buildings are in windows.csv</source>
+        <translation>ほかの %1 棟の窓は windows.csv にあります</translation>
+    </message>
+    <message>
+        <source>; %1 more windows are in windows.csv</source>
+        <translation>。ほかの窓 %1 個は windows.csv にあります</translation>
+    </message>
+    <message>
+        <source>Projected shadows: each building&apos;s shadow filled as polygons at every step, exact on flat ground</source>
+        <translation>投影した影: 各建物の影を毎ステップ多角形として塗る。平らな地面で厳密</translation>
+    </message>
+    <message>
+        <source>cells under buildings</source>
+        <translation>建物の下のセル</translation>
+    </message>
+    <message>
+        <source>cells outside the region</source>
+        <translation>範囲外のセル</translation>
+    </message>
+    <message>
+        <source>cells on water</source>
+        <translation>水面のセル</translation>
+    </message>
+    <message>
+        <source>steps with the sun below the horizon</source>
+        <translation>太陽が地平線の下にあるステップ</translation>
+    </message>
+    <message>
+        <source>shadows that meet no receiver (casters x steps x bands of rows)</source>
+        <translation>どの測定点にも届かない影 (影を落とす物 x ステップ x 行の帯)</translation>
+    </message>
+    <message>
+        <source>prisms and solids whose shadow cannot reach a tile (each x azimuth bins)</source>
+        <translation>影がタイルに届かない角柱と立体 (それぞれ x 方位の区分)</translation>
+    </message>
+    <message>
+        <source>day %1 of %2</source>
+        <translation>%2%1日</translation>
+    </message>
+    <message>
+        <source>buildings whose shadow cannot reach a receiver</source>
+        <translation>影が測定点に届かない建物</translation>
+    </message>
+    <message>
+        <source>Projected shadows: exact on flat ground, one run for all months and intervals</source>
+        <translation>投影した影: 平らな地面で厳密。すべての月と区間を一度に計算</translation>
+    </message>
+    <message>
+        <source>%1 % mean, %2 % largest, against rays</source>
+        <translation>レイに対し平均 %1 %、最大 %2 %</translation>
+    </message>
+    <message>
+        <source>%1 takes more than a minute of sun a day from one place, at most %2 at one spot.</source>
+        <translation>%1 は 1 か所で 1 日 1 分を超える日照を奪い、1 地点では最大 %2 です。</translation>
+    </message>
+    <message>
+        <source>%1 adds more than a minute of shadow a day to one place, at most %2 at one spot.</source>
+        <translation>%1 は 1 か所に 1 日 1 分を超える影を加え、最大は一地点で %2 です。</translation>
+    </message>
+    <message>
+        <source>the ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>roofs</source>
+        <translation>屋根</translation>
+    </message>
+    <message>
+        <source>the ground and roofs</source>
+        <translation>地面と屋根</translation>
     </message>
 </context>
 <context>
@@ -16014,7 +16106,7 @@ Click a building first.</source>
     </message>
     <message>
         <source>or</source>
-        <translation> または </translation>
+        <translation>または</translation>
     </message>
     <message>
         <source>share</source>

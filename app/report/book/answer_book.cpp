@@ -189,7 +189,7 @@ struct ComparedSide {
 PageMap grossMap(const ComparedSide& side, const Region& region, const Legend& legend) {
     auto owned = std::make_shared<MapOfCity>(MapOfCity{side.city});
     owned->map.emplace(SheetMap{makeGrossScene(owned->city, region, side.field, coloursOf(legend)), legend});
-    return {{owned, &*owned->map}, {plainText(side.name), legend.unit}};
+    return {{owned, &*owned->map}, {plainText(scenarioText(side.name)), sheetWord(legend.unit)}};
 }
 
 /// The city before the change, from that after it.
@@ -335,7 +335,7 @@ PageChart monthChart(const Score& score, std::string_view key, QColor colour, co
         {{titleOf(figure), colour}}, {}, figure.unit == FigureUnit::squareMetreHours, settings.units};
     for (const MonthFigures& month : score.months)
         chart.groups.push_back({monthText(month.month), {figure.get(&month)}});
-    return {std::move(chart), {titleOf(figure) + sheetText(" by month"), plainText(figure.definition)}};
+    return {std::move(chart), {titleOf(figure) + sheetText(" by month"), definitionText(figure)}};
 }
 
 // The rest of the receivers' area, in each month.
@@ -344,7 +344,7 @@ PageChart sunChart(const Score& score, const BookSettings& settings) {
     BarChart chart{{{titleOf(figure), shade::sun}}, {}, false, settings.units};
     for (const MonthFigures& month : score.months)
         chart.groups.push_back({monthText(month.month), {score.receiverAreaM2 - month.shadowAreaM2}});
-    return {std::move(chart), {titleOf(figure) + sheetText(" by month"), plainText(figure.definition)}};
+    return {std::move(chart), {titleOf(figure) + sheetText(" by month"), definitionText(figure)}};
 }
 
 BookPage monthPage(const Score& score, const BookSettings& settings, ShownAs show) {
@@ -371,13 +371,13 @@ std::vector<BookPage> intervalPages(const Score& score, const std::string& weigh
     for (const Figure& figure : scoreIntervalFigures().rows())
         if (isShownAs(figure, show)) table.titles.push_back(titleOf(figure));
     for (const IntervalFigures& interval : score.intervals) {
-        table.rows.push_back({plainText(interval.name)});
+        table.rows.push_back({plainText(weightText(interval.name))});
         addCells(table.rows.back(), scoreIntervalFigures().of(interval), settings, show);
     }
     if (table.rows.empty()) return {};
     const QString title = sheetText("Weights");
     return makeTablePages(settings.setup, {title, {}, title, 0, {}},
-                          {{plainText(weights), {}, std::move(table)}});
+                          {{plainText(weightText(weights)), {}, std::move(table)}});
 }
 
 // Which column a page states, where there are several.
@@ -483,7 +483,7 @@ Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const S
         {sheetText("Figure"), sheetText("Value")}, {}, {}, {}, tablePt * textScale(settings.setup)};
     for (const FigureLine& line : lines)
         table.rows.push_back({plainText(labelOf(line)), plainText(valueOf(line, settings.units))});
-    book.pages = makeTablePages(book.setup, {title, plainText(result.scenario), title, 0, {}},
+    book.pages = makeTablePages(book.setup, {title, plainText(scenarioText(result.scenario)), title, 0, {}},
                                 {{sheetText("Figures"), {}, std::move(table)}});
     appendPages(book, std::move(more));
     TextBlocks blocks{heading(sheetText("Definitions")), body(defineFigures(lines))};

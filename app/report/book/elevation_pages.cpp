@@ -160,7 +160,7 @@ private:
 }  // namespace
 
 QString describeFloors(const ElementSettings& elements) {
-    const QString floors = sheetText("Floors of %1 m").arg(elements.facades.storeyM);
+    const QString floors = sheetText("Floors of %1 m").arg(shortNumber(elements.facades.storeyM, 4));
     return elements.parts.storeys.empty() ? floors : floors + sheetText(", of designed towers as designed");
 }
 

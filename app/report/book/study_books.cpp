@@ -253,7 +253,7 @@ Contributions collectContributions(const Study& study) {
 
 QString describeWhenAndWhere(const Study& study) {
     return describePeriod(study.settings.period) + QStringLiteral(". ") +
-           plainText(study.settings.region.name) + QStringLiteral(", ") +
+           plainText(regionText(study.settings.region.name)) + QStringLiteral(", ") +
            describePlace(study.settings.region, study.city.frame);
 }
 

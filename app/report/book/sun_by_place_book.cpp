@@ -65,7 +65,7 @@ TextBlocks describeMethod(const SunOfCities& all) {
     TextBlocks blocks{heading(sheetText("How this was made"))};
     const auto add = [&](const QString& text) { blocks.push_back(body(text)); };
     add(QStringLiteral("%1. %2.").arg(describePeriod(sun.settings.study.period),
-                                      plainText(sun.field.engine)));
+                                      sheetText(sun.field.engine)));
     add(sheetText("Cells of %1 m; places with fewer than %2 of them have cells of %3 m. Cells on the edge "
                   "of a place count with the share of them that lies in it.")
             .arg(shortNumber(sun.settings.study.receivers.cellM, 6))
@@ -80,7 +80,7 @@ TextBlocks describeMethod(const SunOfCities& all) {
             .arg(plainText(describeCellError(sun.error))));
     if (!all.compared.empty())
         add(sheetText("The baseline is %1. Ground that is built on in any scenario counts in none.")
-                .arg(plainText(sun.name)));
+                .arg(plainText(scenarioText(sun.name))));
     return blocks;
 }
 
@@ -102,7 +102,7 @@ Legend legendOf(const SunByPlace& sun, const PlaceColours& colours) {
     Legend legend{isShadow ? sheetText("Shadow by place") : sheetText("Sun by place"),
                   unit + sheetText(" a day")};
     if (!sun.name.empty())
-        legend.title = sheetWord(legend.title) + QStringLiteral(": ") + plainText(sun.name);
+        legend.title = sheetWord(legend.title) + QStringLiteral(": ") + plainText(scenarioText(sun.name));
     if (colours.date) legend.unit = sheetText("%1 on %2").arg(unit, nameOfDate(sun, *colours.date));
     if (colours.column) nameTrees(legend, *colours.column);
     legend.colours = makeScale(sun, colours);
@@ -124,7 +124,7 @@ PlaceMap makeMap(const SunByPlace& sun, const PlaceColours& colours) {
 }
 
 PlaceMap makeChangeMap(const ComparedSun& compared, const PlaceColours& colours) {
-    PlaceMap map{{sheetText("Change of sun by place: ") + plainText(compared.sun.name),
+    PlaceMap map{{sheetText("Change of sun by place: ") + plainText(scenarioText(compared.sun.name)),
                   sheetText("minutes of sun a day")},
                  {}};
     if (colours.column) nameTrees(map.legend, *colours.column);
@@ -292,7 +292,7 @@ BookPage pageOf(const OrderedPlaces& of, PlaceMap map, const QString& title, con
 }
 
 QString titleWith(const QString& title, const SunByPlace& sun) {
-    return sun.name.empty() ? title : title + QStringLiteral(": ") + plainText(sun.name);
+    return sun.name.empty() ? title : title + QStringLiteral(": ") + plainText(scenarioText(sun.name));
 }
 
 BookPage mapPage(const OrderedPlaces& of, const PlaceColours& colours, const PageSetup& setup) {
@@ -307,10 +307,12 @@ BookPage mapPage(const OrderedPlaces& of, const PlaceColours& colours, const Pag
 
 BookPage changePage(const ComparedSun& compared, const std::vector<std::size_t>& order,
                     const std::string& baseline, const PlaceColours& colours, const PageSetup& setup) {
-    return pageOf({compared.sun, order}, makeChangeMap(compared, colours),
-                  titleWith(sheetText("Change of sun by place"), compared.sun),
-                  describePeriod(compared.sun.settings.study.period),
-                  sheetText("change of mean sun a day against %1, minutes").arg(plainText(baseline)), setup);
+    return pageOf(
+        {compared.sun, order}, makeChangeMap(compared, colours),
+        titleWith(sheetText("Change of sun by place"), compared.sun),
+        describePeriod(compared.sun.settings.study.period),
+        sheetText("change of mean sun a day against %1, minutes").arg(plainText(scenarioText(baseline))),
+        setup);
 }
 
 bool hasRemarks(const SunByPlace& sun) {
@@ -331,8 +333,8 @@ QString titleOf(const Figure& figure, const ShownSunOrShadow& shown) {
 QString textOf(const Figure& figure, double value) {
     if (std::isnan(value)) return {};
     if (figure.unit == FigureUnit::share) return percentText(value);
-    const int decimals = figure.unit == FigureUnit::squareMetres ? 0 : figure.shownDecimals;
-    return fixedNumber(value, decimals);
+    return figure.unit == FigureUnit::squareMetres ? describeAmount(value, 0)
+                                                   : fixedNumber(value, figure.shownDecimals);
 }
 
 // The change of the mean is the only one that has a column for each scenario.
@@ -353,7 +355,7 @@ QString changeTitle(const ShownSunOrShadow& shown) {
 
 QString changeText(double hours, const ShownSunOrShadow& shown) {
     if (std::isnan(hours)) return {};
-    return plainText(formatSigned((shown.isShadow ? -minutesPerHour : minutesPerHour) * hours, 1));
+    return sheetNumbers(formatSigned((shown.isShadow ? -minutesPerHour : minutesPerHour) * hours, 1));
 }
 
 // As hours or minutes, with the digits of the window.
@@ -369,7 +371,8 @@ std::vector<QString> titlesOf(const SunOfCities& all, const ShownSunOrShadow& sh
     for (const CivilDate& date : shownCity(all).settings.dates)
         titles.push_back(sheetText("Below, %1").arg(describeDates(date)));
     for (const ComparedSun& one : all.compared)
-        titles.push_back(QStringLiteral("%1, %2").arg(changeTitle(shown), plainText(one.sun.name)));
+        titles.push_back(
+            QStringLiteral("%1, %2").arg(changeTitle(shown), plainText(scenarioText(one.sun.name))));
     if (hasRemarks(shownCity(all))) titles.push_back(sheetText("Remarks"));
     return titles;
 }
@@ -409,7 +412,8 @@ NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order
                            .arg(describeCount(listed), describeCount(order.size(), "place"), which);
     if (!all.compared.empty())
         table.note += sheetText(" The figures are those of %1; changes are from %2.")
-                          .arg(plainText(shownCity(all).name), plainText(all.baseline.name));
+                          .arg(plainText(scenarioText(shownCity(all).name)),
+                               plainText(scenarioText(all.baseline.name)));
     for (std::size_t i = 0; i < listed; ++i) table.table.rows.push_back(rowOf(all, order[i], i + 1, shown));
     return table;
 }
@@ -417,7 +421,7 @@ NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order
 // Without a scenario's name where there is one city.
 NamedTable errorTableOf(const SunByPlace& sun, bool isNamed) {
     NamedTable table{sheetText("Errors against the ray reference, on a sample"), {}, {}};
-    if (isNamed) table.title += QStringLiteral(": ") + plainText(sun.name);
+    if (isNamed) table.title += QStringLiteral(": ") + plainText(scenarioText(sun.name));
     for (const char* title : {NM_TEXT("Figure"), NM_TEXT("Of"), NM_TEXT("Mean"), NM_TEXT("99 of 100 within"),
                               NM_TEXT("Largest"), NM_TEXT("Values")})
         table.table.titles.push_back(sheetText(title));

@@ -34,7 +34,7 @@ namespace {
 constexpr double figuresPt = 8;
 
 QString describeWhere(const Study& study) {
-    return plainText(study.settings.region.name) + QStringLiteral(", ") +
+    return plainText(regionText(study.settings.region.name)) + QStringLiteral(", ") +
            describePlace(study.settings.region, study.city.frame);
 }
 
@@ -43,7 +43,7 @@ std::vector<QString> rowOf(const ScenarioStudies& scenarios, const ScenarioStudy
     const bool isFirst = &scenario == &scenarios.front();
     const double change = computeShadowAreaChange(scenarios, scenario);
     std::vector<QString> row{
-        plainText(scenario.name), describeCount(countChanges(scenario)),
+        plainText(scenarioText(scenario.name)), describeCount(countChanges(scenario)),
         isFirst ? QString()
                 : (change > 0 ? QStringLiteral("+") : QString()) + plainText(formatSmallArea(change, units))};
     const DescribedFigures figures = shadowFigures().of(scenario.study->statistics);
@@ -66,7 +66,8 @@ std::vector<BookPage> tablePages(const ScenarioStudies& scenarios, const BookSet
     const QString title = sheetText("Scenarios"),
                   note = sheetText("%1 Change: from %2, on the receivers of both. Engine: %3.")
                              .arg(defineFigures(listLines(shadowFigures().of(first.statistics))),
-                                  plainText(scenarios.front().name), describeEngineUsed(first.field.engine));
+                                  plainText(scenarioText(scenarios.front().name)),
+                                  describeEngineUsed(first.field.engine));
     return makeTablePages(
         settings.setup,
         {title,
@@ -99,7 +100,7 @@ SheetMap makeScenarioMap(const ScenarioStudies& scenarios, const ScenarioStudy& 
 BookPage mapPage(const ScenarioStudies& scenarios, const ScenarioStudy& scenario, const Legend& legend,
                  const PageSetup& setup) {
     const Study& study = *scenario.study;
-    const QString name = plainText(scenario.name);
+    const QString name = plainText(scenarioText(scenario.name));
     const SheetMap map = makeScenarioMap(scenarios, scenario, legend);
     return {name,
             describePeriod(study.settings.period) + QStringLiteral(". ") + describeWhere(study),
@@ -170,10 +171,10 @@ std::vector<BookPage> sideBySidePages(const ScenarioStudies& scenarios, const Le
         map.scene.shown = zoomOn(difference, map.scene);
         const QPointF corner(all.left() + (at % columns) * (size.width() + gap),
                              all.top() + (at / columns) * (size.height() + gap));
-        pages.back().items.push_back(
-            {{corner, size},
-             PageMap{std::make_shared<const SheetMap>(map),
-                     {plainText(scenarios[i].name), describeBuilt(scenarios[i], settings.units)}}});
+        pages.back().items.push_back({{corner, size},
+                                      PageMap{std::make_shared<const SheetMap>(map),
+                                              {plainText(scenarioText(scenarios[i].name)),
+                                               describeBuilt(scenarios[i], settings.units)}}});
     }
     return pages;
 }
@@ -234,7 +235,7 @@ TextBlocks describeOrigin(const ScenarioStudies& scenarios, const BookSettings& 
         for (const std::string& edit : project->scenario.edits) edits << plainText(edit);
         blocks.push_back(
             body(sheetText("%1: %2. Buildings and ground: SHA-256 %3.")
-                     .arg(plainText(one.name),
+                     .arg(plainText(scenarioText(one.name)),
                           edits.empty() ? sheetText("no changes") : edits.join(QStringLiteral("; ")),
                           QString::fromStdString(project->scenario.citySha256))));
     }

@@ -30,7 +30,7 @@ TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale, c
                           unitOf(ShadowMeasure::continuous))),
             body(sheetText("Change: minutes in %1 minus minutes in %2, with the same engine, steps and "
                            "cells; positive means more %3. %4")
-                     .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from),
+                     .arg(scenarioText(answer.to), scenarioText(answer.from),
                           isSun ? sheetText("sun") : sheetText("shadow"),
                           defineFigures(listLines(computeFigures(answer), legend.show))))};
 }
@@ -156,8 +156,8 @@ Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const Ch
         zoomOnChange(answer, map);
         return map;
     };
-    const QString subject = sheetText("%1 compared with %2")
-                                .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from));
+    const QString subject =
+        sheetText("%1 compared with %2").arg(scenarioText(answer.to), scenarioText(answer.from));
     const QString sunlit =
         sheetText("sun above the horizon for %1 min a day").arg(describeAmount(impact.sunlitMinutesPerDay));
     Sheet sheet{.headline = makeHeadline(answer.settings.study, source.city.frame, subject,
@@ -214,11 +214,11 @@ TextBlocks methodOf(const ScoreAnswer& answer) {
 
 // Intervals without a sun step have neither area nor score and are skipped.
 TextBlocks weightsOf(const ScoreAnswer& answer) {
-    TextBlocks blocks{heading(sheetText("Weights: %1").arg(QString::fromStdString(answer.weights.name)))};
+    TextBlocks blocks{heading(sheetText("Weights: %1").arg(weightText(answer.weights.name)))};
     for (const IntervalFigures& interval : answer.score.intervals)
         if (interval.shadowAreaM2 > 0)
             blocks.push_back(body(QStringLiteral("%1: %2").arg(
-                QString::fromStdString(interval.name),
+                weightText(interval.name),
                 QString::fromStdString(joinLines(listLines(scoreIntervalFigures().of(interval)))))));
     return blocks;
 }
@@ -265,7 +265,7 @@ std::vector<FigureText> makeScoreFigures(const Score& score) {
 
 Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source, const LegendChoice& legend) {
     const SheetScope words;
-    const QString subject = sheetText("Shadow score of %1").arg(QString::fromStdString(answer.scenario));
+    const QString subject = sheetText("Shadow score of %1").arg(scenarioText(answer.scenario));
     std::vector<TextBlocks> sections{methodOf(answer), errorBlocks(answer.score.errors), weightsOf(answer)};
     for (TextBlocks& section : sourcesOf(answer, source, listLegendOptions(legend, true)))
         sections.push_back(std::move(section));

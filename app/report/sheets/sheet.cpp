@@ -274,14 +274,14 @@ void paintLine(const Canvas& canvas, const QRectF& area, double baselinePt, cons
 Headline makeHeadline(const Study& study, const QString& subject) {
     Headline headline = makeHeadline(study.settings, study.city.frame, subject, describeSunlit(study));
     if (const auto& project = study.provenance.project)
-        headline.what += sheetText(", scenario ") + QString::fromStdString(project->scenario.name);
+        headline.what += sheetText(", scenario ") + scenarioText(project->scenario.name);
     return headline;
 }
 
 Headline makeHeadline(const StudySettings& settings, const Frame& frame, const QString& subject,
                       const QString& sunlit) {
     const Region& region = settings.region;
-    const QString named = QString::fromStdString(nameOf(region));
+    const QString named = regionText(nameOf(region));
     const QString name = named.isEmpty() ? named : QStringLiteral(": ") + named;
     const QString where =
         describePlace(region, frame) + (sunlit.isEmpty() ? QString() : QStringLiteral("; ") + sunlit);

@@ -50,7 +50,7 @@ void addEdits(TextBlocks& blocks, const ScenarioRecord& scenario) {
 }
 
 void addScenario(TextBlocks& blocks, const QString& role, const ScenarioRecord& scenario) {
-    const QString name = quoteText(scenario.name);
+    const QString name = scenarioText(scenario.name);
     const std::size_t edits = scenario.edits.size();
     blocks.push_back(body(edits == 0
                               ? sheetText("%1: %2, the city without edits.").arg(role, name)
@@ -139,6 +139,16 @@ TextBlocks makeWarnings(const Study& study) {
                 .arg(describeCount(study.warnings.size()), describeCount(groups.size()))));
     return blocks;
 }
+
+// Keys of Cost::skipped, which lie below the macro of core or are keys of files.
+[[maybe_unused]] constexpr const char* skippedWork[] = {
+    NM_TEXT("cells under buildings"),
+    NM_TEXT("cells outside the region"),
+    NM_TEXT("cells on water"),
+    NM_TEXT("buildings whose shadow cannot reach a receiver"),
+    NM_TEXT("steps with the sun below the horizon"),
+    NM_TEXT("shadows that meet no receiver (casters x steps x bands of rows)"),
+    NM_TEXT("prisms and solids whose shadow cannot reach a tile (each x azimuth bins)")};
 
 QString describeSkipped(const Cost& cost) {
     QStringList words;

@@ -150,7 +150,7 @@ Headline headlineOf(const QString& subject, const SavedOrigin& origin, const Reg
                     const Frame& frame) {
     const QString name = origin.region.empty() || origin.region == "box"
                              ? QString()
-                             : QStringLiteral(": ") + plainText(origin.region);
+                             : QStringLiteral(": ") + regionText(origin.region);
     return {subject + name, plainText(origin.period.words), describePlace(region, frame)};
 }
 
@@ -171,7 +171,7 @@ SavedSheet makeSavedSheet(const SavedResult& result, const SavedStudy& study, co
     const SheetScope words;
     const bool isOfMoment = isInstant(study.field);
     SavedSheet sheet{
-        .subject = sheetText("Shadow study of %1").arg(plainText(result.scenario)),
+        .subject = sheetText("Shadow study of %1").arg(scenarioText(result.scenario)),
         .map = makeStudyMap(study.field, ShadowMeasure::gross, with),
         .definitions = {body(defineFigures(listLines(shadowFigures().of(study.statistics),
                                                      {.isInstant = isOfMoment, .show = with.legend.show})))},
@@ -185,7 +185,7 @@ SavedSheet makeSavedSheet(const SavedResult& result, const SavedStudy& study, co
 SavedSheet makeSavedSheet(const SavedResult& result, const SavedImpact& saved, const SavedMaps& with) {
     const SheetScope words;
     const Impact& impact = saved.impact;
-    const QString scenario = plainText(result.scenario), baseline = plainText(result.baseline);
+    const QString scenario = scenarioText(result.scenario), baseline = scenarioText(result.baseline);
     const auto map = [&](ShadowMeasure measure) {
         return makeImpactMap(impact, with.city, with.region, measure, with.scale, with.legend);
     };
@@ -205,7 +205,7 @@ SavedSheet makeSavedSheet(const SavedResult& result, const SavedImpact& saved, c
 
 SavedSheet makeSavedSheet(const SavedResult& result, const SavedScore& saved, const SavedMaps& with) {
     const SheetScope words;
-    return {.subject = sheetText("Shadow score of %1").arg(plainText(result.scenario)),
+    return {.subject = sheetText("Shadow score of %1").arg(scenarioText(result.scenario)),
             .map = makeScoreMap(saved.score, with.city, with.region, with.legend),
             .definitions = {body(defineFigures(listScoreLines(saved.score)))},
             .figures = makeScoreFigures(saved.score)};

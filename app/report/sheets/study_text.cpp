@@ -12,6 +12,8 @@
 #include "core/base/version.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
+#include "core/receivers/made_names.h"
+#include "scenarios/scenario.h"
 
 namespace noonmark {
 
@@ -29,6 +31,12 @@ constexpr std::array countedNouns{CountedNoun{"day", NM_TEXT("%1 day"), NM_TEXT(
                                   CountedNoun{"part", NM_TEXT("%1 part"), NM_TEXT("%1 parts")}};
 
 QString plainWords(const std::string& text) { return QString::fromStdString(text); }
+
+// Core writes "x" and "m2", as files for programs do.
+QString withSigns(QString text) {
+    return text.replace(QStringLiteral(" x "), QStringLiteral(" × "))
+        .replace(QStringLiteral(" m2"), QStringLiteral(" m²"));
+}
 
 }  // namespace
 
@@ -58,6 +66,28 @@ QString describeLatLon(LonLat place) {
         .arg(place.lonDeg < 0 ? sheetText("W") : sheetText("E"));
 }
 
+QString scenarioText(const std::string& name) {
+    return name == existingCity ? sheetText(name) : QString::fromStdString(name);
+}
+
+QString regionText(const std::string& name) {
+    const auto made = findMadeName(name);
+    if (!made) return QString::fromStdString(name);
+    std::vector<std::string> parts;
+    for (const Sentence::Argument& part : made->arguments)
+        parts.push_back(regionText(std::get<std::string>(part)).toStdString());
+    return QString::fromStdString(fillIn(localText(made->source), parts));
+}
+
+QString weightText(const std::string& name) {
+    for (unsigned month = 1; month <= 12; ++month)
+        if (englishWording().month(std::chrono::month(month), false) == name)
+            return QString::fromStdString(wordingInUse().month(std::chrono::month(month), false));
+    return name == "default" ? sheetText(name) : QString::fromStdString(name);
+}
+
+QString definitionText(const Figure& figure) { return withSigns(sheetText(figure.definition)); }
+
 QString describePlace(const Region& region, const Frame& frame) {
     const Box2 box = bounds(region);
     if (box.empty()) return {};
@@ -82,7 +112,7 @@ QString describeData(const std::string& attribution) {
 }
 
 QString describeEngineUsed(const std::string& engine) {
-    return QString::fromStdString(engine.substr(0, engine.find(" (chosen: ")));
+    return sheetText(engine.substr(0, engine.find(" (chosen: ")));
 }
 
 QString describeProgram() {
@@ -99,7 +129,7 @@ std::vector<FigureText> figureTexts(const std::vector<FigureLine>& lines) {
 
 QString defineFigures(std::vector<FigureLine> lines) {
     std::erase_if(lines, [](const FigureLine& line) { return line.figure->use != FigureUse::result; });
-    return plainWords(definitionsOf(lines)).replace(QStringLiteral(" x "), QStringLiteral(" × "));
+    return withSigns(plainWords(definitionsOf(lines)));
 }
 
 std::vector<FigureText> computeFigures(const Study& study, ShownAs show) {

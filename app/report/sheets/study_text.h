@@ -14,6 +14,15 @@ QString describeCount(std::uint64_t count, std::string_view noun);  ///< "1 plac
 QString describeAmount(double amount, int decimals = 1);            ///< "61,234.5"; without trailing zeros
 
 QString describeLatLon(LonLat place);  ///< "40.75400 N, 73.98401 W"
+/// The name of a scenario: that of the existing city in the language of the sheet, the user's as it is.
+QString scenarioText(const std::string& name);
+/// The name of a region: one that the program made ("the whole city") in the language of the sheet.
+QString regionText(const std::string& name);
+/// The name of a weight table or of one of its intervals: months and that of the tables' default in the
+/// language of the sheet.
+QString weightText(const std::string& name);
+/// What a figure is, as defineFigures() writes it.
+QString definitionText(const Figure& figure);
 /// Size and centre of a region.
 QString describePlace(const Region& region, const Frame& frame);
 QString describeSunlit(const Study& study);  ///< how long the sun is up during the measured hours

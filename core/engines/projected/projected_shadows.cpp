@@ -156,7 +156,8 @@ Result<ShadowBreakdown> computeProjectedBreakdown(const City& city, const Receiv
     const ShadowCasters casters =
         makeShadowCasters(city, findBuildingsInReach(city, receivers, sun), receivers.grid);
     ShadowBreakdown breakdown{receivers.grid, sets, sets.sunlitMinutes(sun), receivers.cells, {}, {}, {}, {}};
-    breakdown.engine = "Projected shadows: exact on flat ground, one run for all months and intervals";
+    breakdown.engine =
+        NM_TEXT("Projected shadows: exact on flat ground, one run for all months and intervals");
     for (std::size_t set = 0; set < sets.names.size(); ++set) {
         const SunSteps own = sets.stepsOf(set, sun);
         ShadowField field = makeBlankField(receivers, own);
@@ -205,8 +206,8 @@ Result<FillCount> shadeInParts(const Shade& shade, const Receivers& receivers, c
 Result<ShadowField> fillShadows(const City& city, const Receivers& receivers, const SunSteps& sun,
                                 Progress& progress, const std::stop_token& stop) {
     ShadowField field = makeBlankField(receivers, sun);
-    field.engine =
-        "Projected shadows: each building's shadow filled as polygons at every step, exact on flat ground";
+    field.engine = NM_TEXT(
+        "Projected shadows: each building's shadow filled as polygons at every step, exact on flat ground");
     const Stopwatch watch;
     const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, sun, field.cost);
     const ShadowCasters casters = makeShadowCasters(city, used, receivers.grid);

@@ -33,9 +33,9 @@ std::string line(std::string_view label, const std::string& text, const Evidence
 }
 
 std::string dayOf(std::chrono::month_day day) {
-    return isEnglishInUse()
-               ? formatText(day)
-               : fmt::format("{} {}", unsigned(day.day()), wordingInUse().month(day.month(), true));
+    return isEnglishInUse() ? formatText(day)
+                            : fillText(NM_TEXT("day %1 of %2"), {fmt::format("{}", unsigned(day.day())),
+                                                                 wordingInUse().month(day.month(), false)});
 }
 
 std::string daysText(const RuleDays& days) {

@@ -113,10 +113,17 @@ SunLosses sumUpLosses(const std::vector<SunChange>& changes) {
 
 Sentence describeLosses(const ComparedSun& compared, const SunOrShadow& as) {
     const SunLosses losses = sumUpLosses(compared.changes);
+    const Amount largest{losses.largestMin, FigureUnit::minutes};
+    if (losses.places == 1)
+        return {
+            as.isSun()
+                ? NM_TEXT("%1 takes more than a minute of sun a day from one place, at most %2 at one spot.")
+                : NM_TEXT("%1 adds more than a minute of shadow a day to one place, at most %2 at one spot."),
+            {compared.sun.name, largest}};
     return {as.isSun()
                 ? NM_TEXT("%1 takes more than a minute of sun a day from %2 places, at most %3 at one spot.")
                 : NM_TEXT("%1 adds more than a minute of shadow a day to %2 places, at most %3 at one spot."),
-            {compared.sun.name, countOf(losses.places), Amount{losses.largestMin, FigureUnit::minutes}}};
+            {compared.sun.name, countOf(losses.places), largest}};
 }
 
 // Trees that a scenario plants or fells change nothing in the column without them.

@@ -7,8 +7,10 @@
 
 #include "core/base/json_number.h"
 #include "core/base/version.h"
+#include "core/base/wording.h"
 #include "core/describe/field_json.h"
 #include "core/describe/figure_text.h"
+#include "core/describe/fill_text.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
 #include "core/receivers/place_names.h"
@@ -284,10 +286,11 @@ std::span<const Figure> changeFiguresWithTrees(TreeColumns column) {
 }
 
 std::string describeCellError(const std::optional<SampledError>& error) {
-    if (!error) return "not measured";
+    if (!error) return localText(NM_TEXT("not measured"));
     const CellError& gross = error->gross;
-    return fmt::format("{:.3f} % mean, {:.2f} % largest, against rays", gross.percent(gross.meanMin),
-                       gross.percent(gross.maxMin));
+    return fillText(NM_TEXT("%1 % mean, %2 % largest, against rays"),
+                    {localNumbers(fmt::format("{:.3f}", gross.percent(gross.meanMin))),
+                     localNumbers(fmt::format("{:.2f}", gross.percent(gross.maxMin)))});
 }
 
 std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared) {

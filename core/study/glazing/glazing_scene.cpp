@@ -305,7 +305,8 @@ Result<void> buildScene(GlazingScene& scene, const City& baseline, const std::st
     scene.newBuildings = findNewBuildings(scene.city, baseline);
     if (needsSky(scene.rule)) scene.sky.emplace(collectSkyObstacles(casting.after));
     if (needsSky(scene.rule) && !same) scene.formerSky.emplace(collectSkyObstacles(casting.before));
-    scene.engine = scene.by == ShadedStepFinder::By::rays ? "rays" : "horizons with ends by rays";
+    scene.engine =
+        scene.by == ShadedStepFinder::By::rays ? NM_TEXT("rays") : NM_TEXT("horizons with ends by rays");
     scene.buildSeconds = watch.seconds();
     return {};
 }

@@ -6,6 +6,7 @@
 
 #include "core/base/version.h"
 #include "core/describe/command_options.h"
+#include "core/describe/text.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/rule/rule_names.h"
 #include "core/study/elements/element_fields.h"
@@ -52,7 +53,8 @@ void setScale(double limit, GlazingMeasure& measure, Subject subject) {
         measure.changeScale = hours(top / 2);
         return;
     }
-    measure.unit = subject == Subject::sky ? "% of the sky's light" : "% of the year's probable sun";
+    measure.unit =
+        subject == Subject::sky ? NM_TEXT("% of the sky's light") : NM_TEXT("% of the year's probable sun");
     double top = limit > 0 ? std::min(100.0, std::ceil(limit / 5) * 10) : defaultPct;
     if (subject == Subject::sky) top = wholeSkyPct;
     measure.scale = percent(top);

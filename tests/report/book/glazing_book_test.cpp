@@ -7,6 +7,7 @@
 #include "app/report/maps/style.h"
 #include "core/review/library/rule_library.h"
 #include "core/study/glazing/glazing_text.h"
+#include "tests/report/book/book_texts.h"
 #include "tests/report/book/recorded_page.h"
 #include "tests/report/book/review_scene.h"
 
@@ -59,6 +60,21 @@ TEST_F(GlazingBook, HasTheColoursThatWereChosen) {
     const ElevationDrawing& north = *drawingsOf(made).at(0);
     EXPECT_EQ(north.panels[1].cells.at(0).colour, toColour(rampRgb(Ramp::viridis, 1))) << "no sun";
     EXPECT_EQ(north.panels[2].cells.at(0).colour, toColour(rampRgb(Ramp::orangePurple, 0.5))) << "no change";
+}
+
+TEST_F(GlazingBook, IsInTheLanguageOfItsReaders) {
+    const GlazingStudy study = review("korea", "west house");
+    BookSettings settings;
+    settings.language = Language::german;
+    const Book made = book(study, settings);
+    QStringList texts;
+    for (const std::size_t page : {0U, 1U})  // summary and elevations; the method has commands
+        for (const PaintedText& text : textsOfPage(made, page)) texts << text.text;
+    const QString all = texts.join(u'\n');
+    for (const char* english : {"3.5", "Existing", "trees", "terrain", "was assumed"})
+        EXPECT_FALSE(all.contains(QLatin1String(english))) << english;
+    for (const char* german : {"3,5", "Bestand", "Hänge"})
+        EXPECT_TRUE(all.contains(QString::fromUtf8(german))) << german;
 }
 
 TEST_F(GlazingBook, DrawsEachSideOfAHouseBeforeAndAfterAtAScale) {

@@ -75,6 +75,19 @@ TEST(SheetLanguage, NumbersAndDatesFollowTheScope) {
     EXPECT_EQ(formatLength(12.5, UnitSystem::metric), "12.5 m");
 }
 
+TEST(SheetLanguage, NamesOfTheProgramAreTranslatedAndThoseOfTheUserAreNot) {
+    EXPECT_EQ(scenarioText("Existing"), QStringLiteral("Existing"));
+    EXPECT_EQ(regionText("the whole city"), QStringLiteral("the whole city"));
+    EXPECT_EQ(weightText("March"), QStringLiteral("March"));
+    const WordingScope words(wordingOf(Language::german));
+    EXPECT_EQ(scenarioText("Existing"), QStringLiteral("Bestand"));
+    EXPECT_EQ(scenarioText("Height"), QStringLiteral("Height")) << "a word of the program, but the user's";
+    EXPECT_EQ(regionText("the whole city"), QStringLiteral("die ganze Stadt"));
+    EXPECT_EQ(regionText("Bryant Park"), QStringLiteral("Bryant Park"));
+    EXPECT_EQ(weightText("March"), QStringLiteral("März"));
+    EXPECT_EQ(weightText("Height"), QStringLiteral("Height"));
+}
+
 TEST(SheetLanguage, CommandsStateALanguageThatIsNotTheirDefault) {
     EXPECT_EQ(statedLanguage(Language::system), Language::system) << "the tests' window is English";
     EXPECT_EQ(statedLanguage(Language::english), Language::system);

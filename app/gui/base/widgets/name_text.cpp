@@ -15,6 +15,14 @@ QString scenarioName(const std::string& name) {
     return name == existingCity ? QObject::tr("Existing") : QString::fromStdString(name);
 }
 
+// What listUnchecked() and a review of windows add to the texts of a rule file, which all surfaces look for
+// among those.
+[[maybe_unused]] static constexpr const char* uncheckedTexts[] = {
+    QT_TRANSLATE_NOOP("Rule", "Slopes: there is no terrain, so the ground is taken as flat"),
+    QT_TRANSLATE_NOOP("Rule", "The rule leaves terrain out; here terrain casts shadow"),
+    QT_TRANSLATE_NOOP("Rule",
+                      "Where the windows are: one was assumed in each bay and storey of the facades")};
+
 // Not by whatever context has the same word: a rule of the user's own may be called "Tower".
 QString ruleName(std::string_view name) {
     if (name == anyCountry) return translated(name);

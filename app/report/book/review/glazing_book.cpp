@@ -1,6 +1,7 @@
 #include "app/report/book/review/glazing_book.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/report/book/answer_books.h"
 #include "app/report/book/flow.h"
@@ -10,7 +11,9 @@
 #include "app/report/sheets/study_text.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/rule/rule_names.h"
+#include "core/study/prepare_review.h"
 #include "core/study/text/error_text.h"
+#include "core/study/text/height_facts_text.h"
 
 namespace noonmark {
 
@@ -31,16 +34,32 @@ void addChanges(TextBlocks& blocks, const QString& what, const VerdictChanges& c
                               .arg(what, describeCount(changes.worse), describeCount(changes.better))));
 }
 
+std::string treesOf(const GlazingBookSource& source) {
+    return isEnglishInUse()
+               ? source.study.trees
+               : describeCountedTrees(source.study.rule.occluders.trees, source.scenario, source.baseline);
+}
+
+// Verdicts on windows rest on the heights as those on places do.
+void addHeadlines(TextBlocks& blocks, const GlazingBookSource& source) {
+    for (const GeometryHeadline& headline : listGeometryHeadlines(source.scenario, {}))
+        if (headline.of != "heights of trees" || source.study.rule.occluders.trees != RuleTrees::without)
+            blocks.push_back(heading(QString::fromStdString(headline.text)));
+}
+
 TextBlocks summaryOf(const GlazingBookSource& source) {
     const GlazingStudy& study = source.study;
-    TextBlocks blocks{heading(sheetText("Summary"))};
+    TextBlocks blocks;
+    addHeadlines(blocks, source);
+    blocks.push_back(heading(sheetText("Summary")));
     addChanges(blocks, sheetText("Windows"), study.windowChanges);
     addChanges(blocks, sheetText("Buildings"), study.buildingChanges);
     blocks.push_back(body(sheetRuleText(study.rule.summary)));
-    blocks.push_back(body(sheetText("Proposal: %1. Baseline: %2.")
-                              .arg(plainText(source.labels.to), plainText(source.labels.from))));
+    blocks.push_back(body(
+        sheetText("Proposal: %1. Baseline: %2.")
+            .arg(plainText(scenarioText(source.labels.to)), plainText(scenarioText(source.labels.from)))));
     blocks.push_back(body(plainText(describeLeastCertain(study.rule))));
-    blocks.push_back(body(plainText(study.trees) + u'.'));
+    blocks.push_back(body(plainText(treesOf(source)) + u'.'));
     blocks.push_back(heading(sheetText("Not checked")));
     for (const std::string& text : study.notChecked) blocks.push_back(body(sheetRuleText(text)));
     return blocks;
@@ -66,20 +85,22 @@ NamedTable buildingTable(const GlazingBookSource& source, double points, std::si
     }
     const std::size_t more = source.study.buildings.size() - table.rows.size();
     const QString note =
-        more > 0
-            ? QStringLiteral("The windows of %1 more buildings are in windows.csv").arg(describeCount(more))
-            : QString();
+        more > 0 ? sheetText("The windows of %1 more buildings are in windows.csv").arg(describeCount(more))
+                 : QString();
     return {sheetText("Buildings"), note, std::move(table)};
 }
+
+// North is 0, also where an azimuth rounds to 360.
+QString azimuthText(double degrees) { return QString::number(std::lround(degrees) % 360); }
 
 std::vector<QString> glazingRow(const GlazingStudy& study, const GlazingReview& review) {
     const ReviewedGlazing& window = review.window;
     std::vector<QString> row{plainText(window.id), QString::number(window.floor),
-                             window.azimuthDeg ? describeAmount(*window.azimuthDeg, 0) : QStringLiteral("-")};
+                             window.azimuthDeg ? azimuthText(*window.azimuthDeg) : QStringLiteral("-")};
     for (std::size_t i = 0; i < review.results.size(); ++i) {
         const Criterion& criterion = study.rule.criteria[i];
-        row.push_back(plainText(valueText(criterion, review.results[i].former)));
-        row.push_back(plainText(valueText(criterion, review.results[i].value)));
+        row.push_back(sheetNumbers(valueText(criterion, review.results[i].former)));
+        row.push_back(sheetNumbers(valueText(criterion, review.results[i].value)));
     }
     const CivilDate day = review.day.value_or(CivilDate{});
     row.push_back(plainText(bandsText(study, day, review.formerBands)));
@@ -107,7 +128,7 @@ NamedTable glazingTable(const GlazingBookSource& source, double points, std::siz
     QString note = sheetText("%1, clock: %2. Minutes, or percent where stated")
                        .arg(sheetRuleText(study.rule.name), plainText(study.clock.text()));
     if (study.windows.size() > table.rows.size())
-        note += QStringLiteral("; %1 more windows are in windows.csv")
+        note += sheetText("; %1 more windows are in windows.csv")
                     .arg(describeCount(study.windows.size() - table.rows.size()));
     return {sheetText("Windows"), note, std::move(table)};
 }
@@ -117,7 +138,7 @@ TextBlocks methodOf(const GlazingBookSource& source) {
     TextBlocks blocks{heading(sheetText("Method"))};
     blocks.push_back(body(sheetText("Engine: %1. Clock: %2, year %3; %4 steps of %5 min with the sun in "
                                     "the rule's hours.")
-                              .arg(plainText(study.engine), plainText(study.clock.text()))
+                              .arg(sheetText(study.engine), plainText(study.clock.text()))
                               .arg(study.year)
                               .arg(describeCount(study.steps), describeAmount(study.stepMinutes, 4))));
     blocks.push_back(

@@ -65,11 +65,12 @@ TextBlocks introduction(const ReviewScene& scene) {
             blocks.push_back(heading(QString::fromStdString(headline.text)));
     blocks.push_back(body(sheetRuleText(study.rule.summary)));
     blocks.push_back(body(sheetText("Proposal: %1. Baseline: %2.")
-                              .arg(plainText(scene.source.labels.to), plainText(scene.source.labels.from))));
+                              .arg(plainText(scenarioText(scene.source.labels.to)),
+                                   plainText(scenarioText(scene.source.labels.from)))));
     blocks.push_back(body(sheetText("Clock: %1, year %2. Engine: %3, every %4 min, cells of %5 m. %6.")
                               .arg(clockText(scene))
                               .arg(study.year)
-                              .arg(plainText(study.engine), describeAmount(study.stepMinutes, 2),
+                              .arg(sheetText(study.engine), describeAmount(study.stepMinutes, 2),
                                    describeAmount(study.settings.cellM, 2), treesText(scene))));
     blocks.push_back(body(plainText(describeLeastCertain(study.rule))));
     if (scene.moments.empty())
