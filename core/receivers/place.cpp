@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
 
 constexpr std::array<std::string_view, placeKinds.size()> kindNames{
-    "park",     "playground", "schoolyard", "plaza",         "greenstreet",
+    "park",     "playground", "schoolyard", "plaza",         NM_TEXT("greenstreet"),
     "cemetery", "street",     "facade",     "stained glass", "other"};
 
 }  // namespace

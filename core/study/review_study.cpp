@@ -8,6 +8,7 @@
 
 #include "core/base/safe_text.h"
 #include "core/city/trees/tree.h"
+#include "core/describe/text.h"
 #include "core/engines/auto_engine.h"
 #include "core/engines/ray/tree_rays.h"
 #include "core/engines/trees/crowns_around.h"
@@ -20,9 +21,10 @@ namespace noonmark {
 
 std::vector<std::string> listUnchecked(const Rule& rule, const City& city) {
     std::vector<std::string> all = rule.notChecked;
-    if (!city.terrain) all.emplace_back("Slopes: there is no terrain, so the ground is taken as flat");
+    if (!city.terrain)
+        all.emplace_back(NM_TEXT("Slopes: there is no terrain, so the ground is taken as flat"));
     if (!rule.occluders.terrain && city.terrain)
-        all.emplace_back("The rule leaves terrain out; here terrain casts shadow");
+        all.emplace_back(NM_TEXT("The rule leaves terrain out; here terrain casts shadow"));
     return all;
 }
 

@@ -3,6 +3,9 @@
 #include <QTextLayout>
 #include <algorithm>
 
+#include "app/report/maps/sheet_text.h"
+#include "scenarios/scenario.h"
+
 namespace noonmark {
 
 namespace {
@@ -91,6 +94,10 @@ QString plainText(QString text) {
 
 QString plainText(std::string_view text) {
     return plainText(QString::fromUtf8(text.data(), qsizetype(text.size())));
+}
+
+QString scenarioText(std::string_view name) {
+    return name == existingCity ? sheetText(name) : plainText(name);
 }
 
 double textHeight(const Canvas& canvas, const QString& text, const QFont& font, double width) {

@@ -35,6 +35,8 @@ struct Caption {
 /// direction of all later text are left out.
 QString plainText(std::string_view text);
 QString plainText(QString text);
+/// The name of a scenario; that of the existing city in the language of the sheet.
+QString scenarioText(std::string_view name);
 /// The same with its lines.
 QString plainLines(QString text);
 

@@ -65,7 +65,7 @@ TextBlocks describeMethod(const SunOfCities& all) {
     TextBlocks blocks{heading(sheetText("How this was made"))};
     const auto add = [&](const QString& text) { blocks.push_back(body(text)); };
     add(QStringLiteral("%1. %2.").arg(describePeriod(sun.settings.study.period),
-                                      plainText(sun.field.engine)));
+                                      plainText(localText(sun.field.engine))));
     add(sheetText("Cells of %1 m; places with fewer than %2 of them have cells of %3 m. Cells on the edge "
                   "of a place count with the share of them that lies in it.")
             .arg(shortNumber(sun.settings.study.receivers.cellM, 6))
@@ -409,7 +409,7 @@ NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order
                            .arg(describeCount(listed), describeCount(order.size(), "place"), which);
     if (!all.compared.empty())
         table.note += sheetText(" The figures are those of %1; changes are from %2.")
-                          .arg(plainText(shownCity(all).name), plainText(all.baseline.name));
+                          .arg(scenarioText(shownCity(all).name), scenarioText(all.baseline.name));
     for (std::size_t i = 0; i < listed; ++i) table.table.rows.push_back(rowOf(all, order[i], i + 1, shown));
     return table;
 }

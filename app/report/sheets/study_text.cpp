@@ -82,7 +82,7 @@ QString describeData(const std::string& attribution) {
 }
 
 QString describeEngineUsed(const std::string& engine) {
-    return QString::fromStdString(engine.substr(0, engine.find(" (chosen: ")));
+    return sheetText(engine.substr(0, engine.find(" (chosen: ")));
 }
 
 QString describeProgram() {

@@ -3,7 +3,9 @@
 #include <QRegularExpression>
 
 #include "app/language/translated_text.h"
+#include "app/report/book/page_text.h"
 #include "app/report/sheets/study_text.h"
+#include "scenarios/scenario.h"
 #include "tests/report/book/book_texts.h"
 #include "tests/report/book/review_scene.h"
 
@@ -73,6 +75,15 @@ TEST(SheetLanguage, NumbersAndDatesFollowTheScope) {
     }
     EXPECT_EQ(describeDates(day), english);
     EXPECT_EQ(formatLength(12.5, UnitSystem::metric), "12.5 m");
+}
+
+TEST(SheetLanguage, TheExistingCityIsNamedInItAndScenariosOfUsersStay) {
+    EXPECT_EQ(scenarioText(existingCity), QStringLiteral("Existing"));
+    const WordingScope words(wordingOf(Language::german));
+    EXPECT_EQ(scenarioText(existingCity), QStringLiteral("Bestand"));
+    EXPECT_EQ(scenarioText("Proposal A"), QStringLiteral("Proposal A"));
+    EXPECT_EQ(describeEngineUsed("Projected shadows (chosen: exact)"),
+              QStringLiteral("Projizierte Schatten"));
 }
 
 TEST(SheetLanguage, CommandsStateALanguageThatIsNotTheirDefault) {

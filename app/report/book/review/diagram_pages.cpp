@@ -76,7 +76,7 @@ PageItem footOf(const ReviewScene& scene, double scale, double cellM, DiagramFoo
 
 QString fromTo(const ReviewScene& scene) {
     return sheetText("%1 compared with %2. %3North is up.")
-        .arg(plainText(scene.source.labels.to), plainText(scene.source.labels.from), planeText(scene));
+        .arg(scenarioText(scene.source.labels.to), scenarioText(scene.source.labels.from), planeText(scene));
 }
 
 /// The moments of one day.
@@ -278,7 +278,7 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
         sheetText("Shadow fans"),
         sheetText("All shadows of a day that the proposal would cast if it stood alone, %1. "
                   "%2North is up.")
-            .arg(plainText(scene.source.labels.to), planeText(scene)),
+            .arg(scenarioText(scene.source.labels.to), planeText(scene)),
         areas);
     const City proposal = keepOwnBuildings(scene.after, scene.before);
     const double commonScale = fanScale(scene, days, areas.front());
@@ -313,7 +313,7 @@ Result<std::vector<BookPage>> makeIsochronePages(const ReviewScene& scene, Progr
     const MomentPages pages(title,
                             sheetText("%1. Thick: limits of the rule. Dashed: distances from the parcel. "
                                       "North is up.")
-                                .arg(plainText(scene.source.labels.to)),
+                                .arg(scenarioText(scene.source.labels.to)),
                             areas);
     for (std::size_t i = 0; i < std::min(maxIsochroneDays, scene.sun.sun.days.size()); ++i) {
         progress.report(0, NM_TEXT("drawing lines of equal hours"));
@@ -343,7 +343,7 @@ Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progres
     MomentPages pages(sheetText("Views from the sun"),
                       sheetText("%1, without perspective, as the sun sees it: what is visible is sunlit, "
                                 "what is hidden is in shadow. The proposal is violet, places are green.")
-                          .arg(plainText(scene.source.labels.to)),
+                          .arg(scenarioText(scene.source.labels.to)),
                       areas);
     pages.spread(count);
     for (const auto& [day, moments] : days)

@@ -38,11 +38,11 @@ TextBlocks summaryOf(const GlazingBookSource& source) {
     addChanges(blocks, sheetText("Buildings"), study.buildingChanges);
     blocks.push_back(body(sheetRuleText(study.rule.summary)));
     blocks.push_back(body(sheetText("Proposal: %1. Baseline: %2.")
-                              .arg(plainText(source.labels.to), plainText(source.labels.from))));
+                              .arg(scenarioText(source.labels.to), scenarioText(source.labels.from))));
     blocks.push_back(body(plainText(describeLeastCertain(study.rule))));
     blocks.push_back(body(plainText(study.trees) + u'.'));
     blocks.push_back(heading(sheetText("Not checked")));
-    for (const std::string& text : study.notChecked) blocks.push_back(body(sheetRuleText(text)));
+    for (const std::string& text : study.notChecked) blocks.push_back(body(sheetText(localRuleText(text))));
     return blocks;
 }
 
@@ -117,7 +117,7 @@ TextBlocks methodOf(const GlazingBookSource& source) {
     TextBlocks blocks{heading(sheetText("Method"))};
     blocks.push_back(body(sheetText("Engine: %1. Clock: %2, year %3; %4 steps of %5 min with the sun in "
                                     "the rule's hours.")
-                              .arg(plainText(study.engine), plainText(study.clock.text()))
+                              .arg(plainText(localText(study.engine)), plainText(study.clock.text()))
                               .arg(study.year)
                               .arg(describeCount(study.steps), describeAmount(study.stepMinutes, 4))));
     blocks.push_back(

@@ -118,16 +118,17 @@ std::vector<BookPage> makePagesOf(const GlazingBookSource& source, const BookSet
     const GlazingStudy& study = source.study;
     const GlazingLegends legends{legendOf(measure, settings.legend, false),
                                  legendOf(measure, settings.legend, true)};
-    ElevationSheets sheets{sheetText("Elevations: ") + sheetText(measure.title),
-                           sheetText("%1 and %2. %3. Colours beyond the ends of a scale are "
-                                     "those of its ends.")
-                               .arg(plainText(source.labels.from), plainText(source.labels.to),
-                                    describeFloors(study.settings.elements)),
-                           sheetText("Elevations: ") + sheetText(measure.title),
-                           {plainText(source.labels.from), plainText(source.labels.to), sheetText("Change")},
-                           {{legends.value, legends.change}},
-                           source.scenario.frame,
-                           maxPages};
+    ElevationSheets sheets{
+        sheetText("Elevations: ") + sheetText(measure.title),
+        sheetText("%1 and %2. %3. Colours beyond the ends of a scale are "
+                  "those of its ends.")
+            .arg(scenarioText(source.labels.from), scenarioText(source.labels.to),
+                 describeFloors(study.settings.elements)),
+        sheetText("Elevations: ") + sheetText(measure.title),
+        {scenarioText(source.labels.from), scenarioText(source.labels.to), sheetText("Change")},
+        {{legends.value, legends.change}},
+        source.scenario.frame,
+        maxPages};
     sheets.scale = settings.scale;
     sheets.foot.note = sheetText("Grey: no value. Seen square to the wall, from outside.");
     // Each side takes a quarter of a page at least: more buildings cannot be drawn.
@@ -194,8 +195,8 @@ Result<std::array<CityViews, 2>> makeViews(const GlazingBookSource& source, cons
     if (!existing) return tl::make_unexpected(existing.error());
     auto proposed = SunViewScene::make(after, ground, stop, after.proposal);
     if (!proposed) return tl::make_unexpected(proposed.error());
-    return std::array{CityViews{*std::move(existing), plainText(source.labels.from)},
-                      CityViews{*std::move(proposed), plainText(source.labels.to)}};
+    return std::array{CityViews{*std::move(existing), scenarioText(source.labels.from)},
+                      CityViews{*std::move(proposed), scenarioText(source.labels.to)}};
 }
 
 Caption captionOf(const RuleMoment& moment, const QString& city) {

@@ -105,7 +105,7 @@ TextBlocks methodOf(const ReviewScene& scene) {
     const auto add = [&](const QString& text) { blocks.push_back(body(text)); };
     add(sheetText("Engine: %1. Receivers: centres of the square cells of %2 m that the places touch, each "
                   "weighed by its share of the place, not under a building of baseline or proposal.")
-            .arg(plainText(study.engine), describeAmount(study.settings.cellM, 2)));
+            .arg(plainText(localText(study.engine)), describeAmount(study.settings.cellM, 2)));
     const std::size_t days = scene.sun.sun.days.size();
     add(sheetText("Time: %1, %2 of %3 min with the sun in the rule's hours. Clock: %4.")
             .arg(describeCount(days, "day"), describeCount(scene.sun.sun.steps.size(), "step"),
@@ -123,7 +123,7 @@ TextBlocks methodOf(const ReviewScene& scene) {
     blocks.push_back(heading(sheetText("Not modelled")));
     add(sheetText("Small structures and penumbra; the sun is a point at the centre of its disc."));
     add(treesText(scene) + sheetText(". Diagrams show the shadows of buildings and terrain."));
-    for (const std::string& text : study.notChecked) add(sheetRuleText(text));
+    for (const std::string& text : study.notChecked) add(sheetText(localRuleText(text)));
     return blocks;
 }
 

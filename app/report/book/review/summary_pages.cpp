@@ -64,12 +64,13 @@ TextBlocks introduction(const ReviewScene& scene) {
         if (headline.of != "heights of trees" || study.rule.occluders.trees != RuleTrees::without)
             blocks.push_back(heading(QString::fromStdString(headline.text)));
     blocks.push_back(body(sheetRuleText(study.rule.summary)));
-    blocks.push_back(body(sheetText("Proposal: %1. Baseline: %2.")
-                              .arg(plainText(scene.source.labels.to), plainText(scene.source.labels.from))));
+    blocks.push_back(
+        body(sheetText("Proposal: %1. Baseline: %2.")
+                 .arg(scenarioText(scene.source.labels.to), scenarioText(scene.source.labels.from))));
     blocks.push_back(body(sheetText("Clock: %1, year %2. Engine: %3, every %4 min, cells of %5 m. %6.")
                               .arg(clockText(scene))
                               .arg(study.year)
-                              .arg(plainText(study.engine), describeAmount(study.stepMinutes, 2),
+                              .arg(plainText(localText(study.engine)), describeAmount(study.stepMinutes, 2),
                                    describeAmount(study.settings.cellM, 2), treesText(scene))));
     blocks.push_back(body(plainText(describeLeastCertain(study.rule))));
     if (scene.moments.empty())
@@ -104,7 +105,7 @@ TextBlocks otherBlocks(const ReviewScene& scene) {
 
 TextBlocks notCheckedBlocks(const ReviewStudy& study) {
     TextBlocks blocks{heading(sheetText("Not checked"))};
-    for (const std::string& text : study.notChecked) blocks.push_back(body(sheetRuleText(text)));
+    for (const std::string& text : study.notChecked) blocks.push_back(body(sheetText(localRuleText(text))));
     if (study.notChecked.empty()) blocks.push_back(body(sheetText("Nothing is stated as unchecked.")));
     return blocks;
 }
