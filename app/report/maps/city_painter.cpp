@@ -204,12 +204,13 @@ void paintPicture(QPainter& painter, const ContextPicture& picture, const QTrans
 
 }  // namespace
 
-void paintContext(QPainter& painter, const MapContext& context, const QTransform& toPainter, double minLine) {
+void paintContext(QPainter& painter, const MapContext& context, const QTransform& toPainter, double minLine,
+                  bool withTrees) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     for (const ContextKind kind : contextKinds) paintAreas(painter, context, kind, toPainter);
     for (const ContextKind kind : contextKinds) paintLines(painter, context, kind, toPainter, minLine);
-    paintTrees(painter, context, toPainter, minLine);
+    if (withTrees) paintTrees(painter, context, toPainter, minLine);
     if (context.picture) paintPicture(painter, *context.picture, toPainter);
     painter.restore();
 }

@@ -36,7 +36,8 @@ bool showsOverhangs(const MapView& view, const City& city);
 /// and over them its picture, with its opacity; of the picture at most 4,096 pixels a side.
 /// `toPainter` maps local metres (x east, y north) to the painter's units; lines keep their widths on the
 /// ground, but are at least `minLine` units wide. Features outside the painter's clip are left
-/// out.
-void paintContext(QPainter& painter, const MapContext& context, const QTransform& toPainter, double minLine);
+/// out, and trees unless `withTrees`.
+void paintContext(QPainter& painter, const MapContext& context, const QTransform& toPainter, double minLine,
+                  bool withTrees = true);
 
 }  // namespace noonmark

@@ -18,6 +18,7 @@
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/name_text.h"
 #include "app/gui/base/widgets/number_text.h"
+#include "app/gui/session/answers/result_rows.h"
 #include "app/gui/session/study/region_text.h"
 #include "app/input/all_engines.h"
 #include "app/language/language.h"
@@ -25,6 +26,7 @@
 #include "core/measures/shadow_figures.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/review/library/rule_library.h"
+#include "core/study/review_figures.h"
 #include "scenarios/weights/score_text.h"
 #include "tests/gui/answers_window.h"
 #include "tests/gui/translation_messages.h"
@@ -200,6 +202,13 @@ TEST_F(Languages, NamesThatTheProgramGivesAreTranslatedAndThoseOfUsersStay) {
     EXPECT_EQ(placeName("Lurie Garden"), QStringLiteral("Lurie Garden"));
     EXPECT_EQ(ruleName("Four days, three hours"), QStringLiteral("4 Tage, 3 Uhrzeiten"));
     EXPECT_EQ(ruleName("Rule of our town"), QStringLiteral("Rule of our town"));
+    const auto headline = [](const std::string& rule) {
+        return sentenceText(makeReviewPage({.pass = 2}, rule, "Proposal A", {}).headline);
+    };
+    EXPECT_EQ(headline("Four days, three hours"),
+              QStringLiteral("Alle 2 beurteilten Orte erfüllen 4 Tage, 3 Uhrzeiten in Proposal A"));
+    EXPECT_EQ(headline("Rule of our town"),
+              QStringLiteral("Alle 2 beurteilten Orte erfüllen Rule of our town in Proposal A"));
 }
 
 /// What a person reads of a rule.

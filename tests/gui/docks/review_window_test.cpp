@@ -105,6 +105,27 @@ TEST_F(ReviewWindow, APlaceIsDrawnFromItsPanelWithAKindOfTheRule) {
     EXPECT_EQ(list.item(0)->text(), QStringLiteral("Market")) << "a place has a name";
 }
 
+// Places that are found in reach, or added, move the rows while a name is being typed.
+TEST_F(ReviewWindow, ANameThatIsBeingTypedStaysWithItsPlace) {
+    choose("ceqr");
+    showDock();
+    Project next = session().project();
+    next.places.push_back({"Near park", PlaceKind::park, {square({10, 60}, 40)}, "drawn"});
+    ASSERT_TRUE(session().change(std::move(next), QStringLiteral("place")));
+    form().takeDrawn("Near park");
+    auto& list = *form().findChild<QListWidget*>(QStringLiteral("reviewPlaces"));
+    const auto typing = [&] { return qobject_cast<QLineEdit*>(list.indexWidget(list.currentIndex())); };
+    ASSERT_NE(typing(), nullptr);
+    typing()->setText(QStringLiteral("Mark"));
+    addPlaces();  // "Far park" comes before it
+    ASSERT_EQ(list.count(), 3);
+    ASSERT_NE(typing(), nullptr);
+    EXPECT_EQ(typing()->text(), QStringLiteral("Mark"));
+    EXPECT_EQ(list.currentItem()->text(), QStringLiteral("Near park"));
+    Q_EMIT list.itemDelegate()->commitData(typing());
+    EXPECT_EQ(namesOf(session().project().places), (std::vector<std::string>{"Mark", "Park", "Far park"}));
+}
+
 TEST_F(ReviewWindow, TheExistingCityIsReviewedAsItStands) {
     showDock();
     addPlaces();

@@ -45,6 +45,16 @@ TEST(ContextPicture, HasAtMostSoManyPixelsASide) {
     EXPECT_EQ(picture.grid.rows, 250);
 }
 
+TEST(ContextPicture, HasTreesAsDotsUnlessTheyAreLeftOut) {
+    MapContext context = makeLake();
+    context.trees.push_back({80, 80});
+    const Box2 around{{0, 0}, {100, 100}};
+    EXPECT_NE(pixelAt(paintContextPicture(context, around, 0.5), {80, 80}), Pixel{});
+    const GroundPicture bare = paintContextPicture(context, around, 0.5, 500, false);
+    EXPECT_EQ(pixelAt(bare, {80, 80}), Pixel{});
+    EXPECT_NE(pixelAt(bare, {20, 20}), Pixel{}) << "the lake stays";
+}
+
 TEST(CloseGround, IsWhatIsSeenAroundTheTargetButNotTheHorizon) {
     const ViewBounds city{{{-5000, -5000}, {5000, 5000}}, 100, 0};
     const ViewLens lens{40, 1200, 800};

@@ -3,7 +3,9 @@
 #include <QRegularExpression>
 
 #include "app/language/translated_text.h"
+#include "app/report/book/page_text.h"
 #include "app/report/sheets/study_text.h"
+#include "scenarios/scenario.h"
 #include "tests/report/book/book_texts.h"
 #include "tests/report/book/review_scene.h"
 
@@ -86,6 +88,8 @@ TEST(SheetLanguage, NamesOfTheProgramAreTranslatedAndThoseOfTheUserAreNot) {
     EXPECT_EQ(regionText("Bryant Park"), QStringLiteral("Bryant Park"));
     EXPECT_EQ(weightText("March"), QStringLiteral("März"));
     EXPECT_EQ(weightText("Height"), QStringLiteral("Height"));
+    EXPECT_EQ(describeEngineUsed("Projected shadows (chosen: exact)"),
+              QStringLiteral("Projizierte Schatten"));
 }
 
 TEST(SheetLanguage, CommandsStateALanguageThatIsNotTheirDefault) {

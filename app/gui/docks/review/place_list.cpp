@@ -1,5 +1,6 @@
 #include "app/gui/docks/review/place_list.h"
 
+#include <QAbstractItemDelegate>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -119,21 +120,52 @@ void PlaceList::setKinds(const std::vector<PlaceKind>& kinds) {
     kind_->setCurrentIndex(std::max(0, kind_->findData(chosen)));
 }
 
+// While places in reach are being found, no place can be ticked, but a name be typed.
 void PlaceList::editName(const std::string& place) {
-    for (int i = 0; i < list_->count(); ++i) {
-        QListWidgetItem* item = list_->item(i);
-        if (item->data(nameRole).toString().toStdString() != place) continue;
-        list_->setCurrentItem(item);
-        list_->scrollToItem(item);
-        list_->setFocus();
-        return list_->editItem(item);
-    }
+    QListWidgetItem* item = rowOf(QString::fromStdString(place));
+    if (item == nullptr) return;
+    list_->setEnabled(true);
+    list_->setCurrentItem(item);
+    list_->scrollToItem(item);
+    list_->setFocus();
+    list_->editItem(item);
+}
+
+QListWidgetItem* PlaceList::rowOf(const QString& place) const {
+    for (int i = 0; i < list_->count(); ++i)
+        if (list_->item(i)->data(nameRole).toString() == place) return list_->item(i);
+    return nullptr;
+}
+
+// The field in a row whose name is being typed, else null.
+QLineEdit* PlaceList::typingIn(const QListWidgetItem& item) const {
+    return qobject_cast<QLineEdit*>(list_->indexWidget(list_->indexFromItem(&item)));
+}
+
+// Rows are about to hold other places: a field that stayed open would rename one of these.
+std::optional<PlaceList::Typing> PlaceList::stopTyping() {
+    const QListWidgetItem* item = list_->currentItem();
+    QLineEdit* field = item == nullptr ? nullptr : typingIn(*item);
+    if (field == nullptr) return {};
+    const Typing typing{item->data(nameRole).toString(), field->text()};
+    Q_EMIT list_->itemDelegate()->closeEditor(field, QAbstractItemDelegate::NoHint);
+    return typing;
+}
+
+void PlaceList::resumeTyping(const Typing& typing) {
+    editName(typing.place.toStdString());
+    const QListWidgetItem* item = list_->currentItem();
+    QLineEdit* field = item == nullptr ? nullptr : typingIn(*item);
+    if (field != nullptr && field->text() != typing.text) field->setText(typing.text);
 }
 
 // It was ticked, or its name was typed.
 void PlaceList::takeItem(const QListWidgetItem& item) {
     const std::string name = item.data(nameRole).toString().toStdString();
-    item.text() == placeName(name) ? take() : Q_EMIT renamed(name, item.text().trimmed().toStdString());
+    if (item.text() == placeName(name)) return take();
+    const std::string typed = item.text().trimmed().toStdString();
+    stopTyping();  // it is taken or refused; rows that are shown meanwhile shall not resume it
+    Q_EMIT renamed(name, typed);
 }
 
 namespace {
@@ -152,6 +184,9 @@ std::set<std::string> listTicked(const std::vector<Place>& places, const ReviewC
 void PlaceList::show(const std::vector<Place>& places, const ReviewChoice& choice,
                      const ReviewSession::Reach* reach, bool isFinding) {
     const QSignalBlocker block(list_);
+    const std::optional<Typing> typing = stopTyping();
+    const QString current =
+        list_->currentItem() == nullptr ? QString() : list_->currentItem()->data(nameRole).toString();
     const std::set<std::string> ticked = listTicked(places, choice, reach);
     while (list_->count() > int(places.size())) delete list_->takeItem(list_->count() - 1);
     while (list_->count() < int(places.size())) new QListWidgetItem(list_);
@@ -174,6 +209,8 @@ void PlaceList::show(const std::vector<Place>& places, const ReviewChoice& choic
     }
     filter(filter_->text());
     list_->setEnabled(!isFinding);
+    list_->setCurrentItem(rowOf(current));
+    if (typing) resumeTyping(*typing);
     if (isFinding) return count_->setText(tr("Only those in reach of the shadow; they are being found"));
     reach ? showReach(reach->kept->places.size(), places.size()) : count();
 }

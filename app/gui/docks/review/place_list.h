@@ -3,6 +3,7 @@
 #include <QString>
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/gui/base/layers/field_picture.h"
@@ -41,7 +42,16 @@ Q_SIGNALS:
     void highlighted(const std::string& place);  ///< the current row
 
 private:
+    /// A name that is being typed in a row, not yet taken.
+    struct Typing {
+        QString place, text;
+    };
+
     QWidget* makeDrawing();
+    std::optional<Typing> stopTyping();
+    void resumeTyping(const Typing& typing);
+    [[nodiscard]] QLineEdit* typingIn(const QListWidgetItem& item) const;
+    [[nodiscard]] QListWidgetItem* rowOf(const QString& place) const;
     void takeItem(const QListWidgetItem& item);
     void take();
     void checkAll(bool on);

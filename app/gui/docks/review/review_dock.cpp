@@ -60,7 +60,7 @@ QString listOf(const QString& title, const std::vector<std::string>& texts) {
     if (texts.empty()) return {};
     QString html = QStringLiteral("<h4>%1</h4><ul>").arg(title);
     for (const std::string& text : texts)
-        html += QStringLiteral("<li>%1</li>").arg(ruleName(text).toHtmlEscaped());
+        html += QStringLiteral("<li>%1</li>").arg(translated(ruleName(text).toStdString()).toHtmlEscaped());
     return html + QStringLiteral("</ul>");
 }
 

@@ -34,6 +34,7 @@ BookView::BookView(QWidget* parent)
     scroll_->setWidget(sheet_);
     scroll_->setWidgetResizable(true);
     scroll_->setBackgroundRole(QPalette::Dark);
+    sheet_->setForegroundRole(QPalette::HighlightedText);  // white: that of Dark is dark in dark themes
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(bar_ = makeBar());

@@ -19,6 +19,7 @@
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/field_rows.h"
+#include "app/report/maps/sheet_text.h"
 #include "scenarios/project/title_fields.h"
 
 namespace noonmark {
@@ -107,8 +108,8 @@ void SheetForm::makeTitleBlock(QFormLayout& form) {
     for (const std::string_view flag :
          {"--title-project", "--author", "--client", "--date", "--sheet-prefix"})
         static_cast<QLineEdit*>(title_->widget(flag))->setMaxLength(200);
-    static_cast<QLineEdit*>(title_->widget("--date"))->setPlaceholderText(describeToday());
     connect(title_, &FieldRows::edited, this, &SheetForm::edited);
+    connect(this, &SheetForm::edited, this, &SheetForm::showToday);
     form.addRow(tr("Logo"), makeLogo());
 }
 
@@ -151,6 +152,13 @@ void SheetForm::show(const BookSettings& settings) {
     extent_->show(extentFields().of(settings));
     logo_ = settings.titleBlock.logo;
     showLogo();
+    showToday();
+}
+
+// Without a date the sheets have today's, in their language.
+void SheetForm::showToday() {
+    const SheetScope scope(statedLanguage(settings().language));
+    static_cast<QLineEdit*>(title_->widget("--date"))->setPlaceholderText(describeToday());
 }
 
 BookSettings SheetForm::settings() const {

@@ -47,6 +47,7 @@ private:
     QComboBox* addList(QFormLayout& form, const QString& label, const char* name, const QString& tip);
     void askForLogo();
     void showLogo();
+    void showToday();
 
     QFormLayout* page_;  // the rows of the paper
     QComboBox *paper_, *orientation_, *scale_, *units_;

@@ -35,9 +35,11 @@ QString valueText(const FigureLine& line) {
     return localised(valueOf(line, unitsInUse()), line.value, line.figure->unit);
 }
 
-// The user's stay as they are.
+// The user's stay as they are; a rule of the program has its name in every language.
 QString argumentName(const std::string& name) {
-    return name == existingCity ? scenarioName(name) : placeName(name);
+    if (name == existingCity) return scenarioName(name);
+    const QString place = placeName(name);
+    return place == QString::fromStdString(name) ? ruleName(name) : place;
 }
 
 std::string argumentText(const Sentence::Argument& argument) {

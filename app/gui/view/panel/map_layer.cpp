@@ -11,6 +11,7 @@
 #include "app/gui/view/panel/ground_layers.h"
 #include "app/report/maps/city_painter.h"
 #include "core/city/city_position.h"
+#include "core/city/trees/tree.h"
 #include "render/view/city_view.h"
 
 namespace noonmark {
@@ -55,8 +56,8 @@ double longerSideM(const Box2& box) {
 
 }  // namespace
 
-GroundPicture paintContextPicture(const MapContext& context, const Box2& around, double cellM,
-                                  int maxPixels) {
+GroundPicture paintContextPicture(const MapContext& context, const Box2& around, double cellM, int maxPixels,
+                                  bool withTrees) {
     const glm::dvec2 size(around.high - around.low);
     const double cell = std::max(cellM, std::max(size.x, size.y) / maxPixels);
     const Grid grid{double(around.low.x), double(around.low.y), cell,
@@ -67,7 +68,7 @@ GroundPicture paintContextPicture(const MapContext& context, const Box2& around,
     painter.setClipRect(image.rect());  // what lies outside is left out
     // Row 0 is the southernmost, so that the picture is not turned over.
     const QTransform toPixels(1 / cell, 0, 0, 1 / cell, -grid.westM / cell, -grid.southM / cell);
-    paintContext(painter, context, toPixels, 1);
+    paintContext(painter, context, toPixels, 1, withTrees);
     painter.end();
     return pictureOf(image, grid);
 }
@@ -94,9 +95,12 @@ MapLayer::MapLayer(CityView& view, QObject* parent) : QObject(parent), view_(vie
     connect(&rest_, &QTimer::timeout, this, &MapLayer::showFiner);
 }
 
+// Dots of trees would stay where these were felled, moved or hidden.
 void MapLayer::showCity(const City& city) {
-    if (city.context == context_) return;
+    const bool treesStand = city.trees && !city.trees->trees.empty();
+    if (city.context == context_ && treesStand == treesStand_) return;
     context_ = city.context;
+    treesStand_ = treesStand;
     whole_.reset();
     picture_.reset();
     around_ = findMainPart(city).box;
@@ -136,8 +140,10 @@ void MapLayer::show() {
 void MapLayer::paint() {
     painting_.start<Picture>(
         tr("Painting the map"),
-        [context = wanted(), around = around_](Progress&, const std::stop_token&) -> Result<Picture> {
-            return std::make_shared<const GroundPicture>(paintContextPicture(*context, around));
+        [context = wanted(), around = around_, withTrees = !treesStand_](
+            Progress&, const std::stop_token&) -> Result<Picture> {
+            return std::make_shared<const GroundPicture>(
+                paintContextPicture(*context, around, wholeMapCellM, wholeMapPixels, withTrees));
         },
         [this](Result<Picture> made) {
             if (!made) return;
@@ -167,9 +173,10 @@ void MapLayer::showFiner() {
 void MapLayer::paintFiner(const Box2& around, double cellM) {
     paintingFiner_.start<Picture>(
         tr("Painting the map"),
-        [context = wanted(), around, cellM](Progress&, const std::stop_token&) -> Result<Picture> {
+        [context = wanted(), around, cellM, withTrees = !treesStand_](
+            Progress&, const std::stop_token&) -> Result<Picture> {
             return std::make_shared<const GroundPicture>(
-                paintContextPicture(*context, around, cellM, finerPixels));
+                paintContextPicture(*context, around, cellM, finerPixels, withTrees));
         },
         [this](Result<Picture> made) {
             if (!made) return;

@@ -43,6 +43,7 @@ private:
 
     CityView& view_;
     std::shared_ptr<const MapContext> context_;
+    bool treesStand_ = false;  ///< in the view, with their crowns: the map does not have them, too
     Box2 around_;
     Picture whole_;    ///< of all of the context; null until it is painted
     Picture picture_;  ///< of its aerial picture alone
@@ -52,10 +53,14 @@ private:
     JobSlot painting_, paintingFiner_;
 };
 
+/// Of the picture of all of the context: metres a pixel, and at most so many pixels a side.
+inline constexpr double wholeMapCellM = 0.25;
+inline constexpr int wholeMapPixels = 4096;
+
 /// A picture of the context within `around`, north up, of `cellM` metres a pixel: more where a side would
-/// have over `maxPixels`.
-GroundPicture paintContextPicture(const MapContext& context, const Box2& around, double cellM = 0.25,
-                                  int maxPixels = 4096);
+/// have over `maxPixels`. Trees are dots in it, or left out.
+GroundPicture paintContextPicture(const MapContext& context, const Box2& around, double cellM = wholeMapCellM,
+                                  int maxPixels = wholeMapPixels, bool withTrees = true);
 
 /// The ground around the target that a camera sees as near as its target or a little farther; empty if it
 /// sees none of the ground within `bounds`.

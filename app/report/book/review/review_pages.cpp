@@ -44,7 +44,7 @@ public:
     ListedPlaces sort() {
         for (const std::size_t i : worstFirst(source_.study)) take(i);
         for (PlaceRow& row : together_) {
-            if (row.reviews.size() == 1) row.name = plainText(reviewOf(row.reviews.front()).name);
+            if (row.reviews.size() == 1) row.name = nameOne(row.reviews.front());
             list_.rows.push_back(std::move(row));
         }
         std::ranges::stable_sort(list_.rows, {},
@@ -84,6 +84,14 @@ private:
         });
         if (row != together_.end()) return row->reviews.push_back(i);
         together_.push_back({{i}, name});
+    }
+
+    // One without a name, "playground (OSM way 12)", has its kind in the language of the sheet.
+    [[nodiscard]] QString nameOne(std::size_t i) const {
+        const std::string& name = reviewOf(i).name;
+        const std::string_view kind = nameOf(reviewOf(i).kind);
+        if (!name.starts_with(std::string(kind) + " (")) return plainText(name);
+        return sheetText(kind) + u' ' + plainText(name.substr(kind.size()));
     }
 
     [[nodiscard]] QString nameGroup(std::size_t i) const {
