@@ -8670,20 +8670,12 @@ Opens the panel Review.</source>
         <translation>Prismen und Körper, deren Schatten eine Kachel nicht erreichen kann (je x Azimutklassen)</translation>
     </message>
     <message>
-        <source>day %1 of %2</source>
-        <translation>%1. %2</translation>
-    </message>
-    <message>
         <source>buildings whose shadow cannot reach a receiver</source>
         <translation>Gebäude, deren Schatten keinen Messpunkt erreichen kann</translation>
     </message>
     <message>
         <source>Projected shadows: exact on flat ground, one run for all months and intervals</source>
         <translation>Projizierte Schatten: genau auf ebenem Boden, ein Lauf für alle Monate und Intervalle</translation>
-    </message>
-    <message>
-        <source>%1 % mean, %2 % largest, against rays</source>
-        <translation>im Mittel %1 %, höchstens %2 %, gegen Strahlen</translation>
     </message>
     <message>
         <source>%1 takes more than a minute of sun a day from one place, at most %2 at one spot.</source>
@@ -8694,16 +8686,12 @@ Opens the panel Review.</source>
         <translation>%1 bringt einem Ort mehr als eine Minute Schatten am Tag, höchstens %2 an einer Stelle.</translation>
     </message>
     <message>
-        <source>the ground</source>
-        <translation>dem Boden</translation>
+        <source>greenstreet</source>
+        <translation>Rasen oder Beet</translation>
     </message>
     <message>
-        <source>roofs</source>
-        <translation>Dächern</translation>
-    </message>
-    <message>
-        <source>the ground and roofs</source>
-        <translation>dem Boden und Dächern</translation>
+        <source>other</source>
+        <translation>anderer Ort</translation>
     </message>
 </context>
 <context>
@@ -16387,6 +16375,30 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>A value within its error of a limit is borderline, never pass.</source>
         <translation>Ein Wert, der innerhalb seines Fehlers an einer Grenze liegt, ist grenzwertig, nie erfüllt.</translation>
+    </message>
+    <message>
+        <source>the ground</source>
+        <translation>dem Boden</translation>
+    </message>
+    <message>
+        <source>roofs</source>
+        <translation>Dächern</translation>
+    </message>
+    <message>
+        <source>the ground and roofs</source>
+        <translation>dem Boden und Dächern</translation>
+    </message>
+    <message>
+        <source>day %1 of %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1 % mean, %2 % largest, against rays</source>
+        <translation>im Mittel %1 %, höchstens %2 %, gegen Strahlen</translation>
     </message>
 </context>
 </TS>

@@ -8670,20 +8670,12 @@ Abre el panel Evaluación.</translation>
         <translation>prismas y sólidos cuya sombra no puede alcanzar una tesela (cada uno x clases de azimut)</translation>
     </message>
     <message>
-        <source>day %1 of %2</source>
-        <translation>%1 de %2</translation>
-    </message>
-    <message>
         <source>buildings whose shadow cannot reach a receiver</source>
         <translation>edificios cuya sombra no puede alcanzar ningún receptor</translation>
     </message>
     <message>
         <source>Projected shadows: exact on flat ground, one run for all months and intervals</source>
         <translation>Sombras proyectadas: exactas en terreno llano, una pasada para todos los meses e intervalos</translation>
-    </message>
-    <message>
-        <source>%1 % mean, %2 % largest, against rays</source>
-        <translation>%1 % de media, %2 % como máximo, frente a los rayos</translation>
     </message>
     <message>
         <source>%1 takes more than a minute of sun a day from one place, at most %2 at one spot.</source>
@@ -8694,16 +8686,12 @@ Abre el panel Evaluación.</translation>
         <translation>%1 añade más de un minuto de sombra al día a un lugar, como máximo %2 en un punto.</translation>
     </message>
     <message>
-        <source>the ground</source>
-        <translation>el suelo</translation>
+        <source>greenstreet</source>
+        <translation>césped o parterre</translation>
     </message>
     <message>
-        <source>roofs</source>
-        <translation>tejados</translation>
-    </message>
-    <message>
-        <source>the ground and roofs</source>
-        <translation>el suelo y los tejados</translation>
+        <source>other</source>
+        <translation>otro lugar</translation>
     </message>
 </context>
 <context>
@@ -16387,6 +16375,30 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>A value within its error of a limit is borderline, never pass.</source>
         <translation>Un valor que dista de un límite menos que su error está en el límite, nunca cumple.</translation>
+    </message>
+    <message>
+        <source>the ground</source>
+        <translation>el suelo</translation>
+    </message>
+    <message>
+        <source>roofs</source>
+        <translation>tejados</translation>
+    </message>
+    <message>
+        <source>the ground and roofs</source>
+        <translation>el suelo y los tejados</translation>
+    </message>
+    <message>
+        <source>day %1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>no medido</translation>
+    </message>
+    <message>
+        <source>%1 % mean, %2 % largest, against rays</source>
+        <translation>%1 % de media, %2 % como máximo, frente a los rayos</translation>
     </message>
 </context>
 </TS>

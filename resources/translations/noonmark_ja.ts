@@ -8639,20 +8639,12 @@ Opens the panel Review.</source>
         <translation>影がタイルに届かない角柱と立体 (それぞれ x 方位の区分)</translation>
     </message>
     <message>
-        <source>day %1 of %2</source>
-        <translation>%2%1日</translation>
-    </message>
-    <message>
         <source>buildings whose shadow cannot reach a receiver</source>
         <translation>影が測定点に届かない建物</translation>
     </message>
     <message>
         <source>Projected shadows: exact on flat ground, one run for all months and intervals</source>
         <translation>投影した影: 平らな地面で厳密。すべての月と区間を一度に計算</translation>
-    </message>
-    <message>
-        <source>%1 % mean, %2 % largest, against rays</source>
-        <translation>レイに対し平均 %1 %、最大 %2 %</translation>
     </message>
     <message>
         <source>%1 takes more than a minute of sun a day from one place, at most %2 at one spot.</source>
@@ -8663,16 +8655,12 @@ Opens the panel Review.</source>
         <translation>%1 は 1 か所に 1 日 1 分を超える影を加え、最大は一地点で %2 です。</translation>
     </message>
     <message>
-        <source>the ground</source>
-        <translation>地面</translation>
+        <source>greenstreet</source>
+        <translation>芝生または花壇</translation>
     </message>
     <message>
-        <source>roofs</source>
-        <translation>屋根</translation>
-    </message>
-    <message>
-        <source>the ground and roofs</source>
-        <translation>地面と屋根</translation>
+        <source>other</source>
+        <translation>その他の場所</translation>
     </message>
 </context>
 <context>
@@ -16327,6 +16315,30 @@ Click a building first.</source>
     <message>
         <source>A value within its error of a limit is borderline, never pass.</source>
         <translation>限度との差が誤差以内の値は境界とし、適合とはしません。</translation>
+    </message>
+    <message>
+        <source>the ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>roofs</source>
+        <translation>屋根</translation>
+    </message>
+    <message>
+        <source>the ground and roofs</source>
+        <translation>地面と屋根</translation>
+    </message>
+    <message>
+        <source>day %1 of %2</source>
+        <translation>%2%1日</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>測定なし</translation>
+    </message>
+    <message>
+        <source>%1 % mean, %2 % largest, against rays</source>
+        <translation>レイに対し平均 %1 %、最大 %2 %</translation>
     </message>
 </context>
 </TS>

@@ -210,7 +210,8 @@ TEST_F(RenewalTest, RulesAreInTheNewLanguageAtOnce) {
     QString shown;
     for (const QTextEdit* text : window().findChildren<QTextEdit*>()) shown += text->toPlainText();
     EXPECT_TRUE(shown.contains(criterion)) << shown.left(2000).toStdString();
-    EXPECT_TRUE(shown.contains(ruleName(rule->summary)));
+    const auto* rules = window().findChild<QComboBox*>(QStringLiteral("reviewRule"));
+    EXPECT_TRUE(rules->currentData(Qt::ToolTipRole).toString().contains(ruleName(rule->summary)));
 }
 
 TEST_F(RenewalTest, TheVerdictsOfAReviewStay) {
