@@ -6,6 +6,7 @@
 
 #include "app/report/files/read_report.h"
 #include "core/base/csv_text.h"
+#include "core/io/heights/height_facts.h"
 #include "tests/cli/project_command.h"
 #include "tests/shared/shared_data.h"
 
@@ -204,6 +205,9 @@ std::string joinWords(const std::string& text) {
 struct PrintedPlace {
     std::map<std::string, std::string> row;
     [[nodiscard]] double at(const std::string& column) const { return std::stod(row.at(column)); }
+    [[nodiscard]] std::string areaText() const {
+        return formatThousands(std::size_t(std::lround(at("area_m2"))));
+    }
     [[nodiscard]] std::string onTerminal() const {
         return fmt::format(
             "{} {} {:.2f} h of sun a day ({:.2f} to {:.2f}), {:.1f} % with enough Without One57: ",
@@ -212,15 +216,15 @@ struct PrintedPlace {
     }
     [[nodiscard]] std::string onSheets() const {
         const double gainMin = 60 * at("change_hours_without_one57");
-        return fmt::format("{} {} {:.0f} {:.2f} {:.2f} {:.2f} {:.0f} % {}{:.1f} ", row.at("name"),
-                           row.at("kind"), at("area_m2"), at("hours_mean_without_one57"),
-                           at("hours_min_without_one57"), at("hours_max_without_one57"),
-                           100 * at("share_enough_without_one57"), gainMin > 0.05 ? "+" : "", gainMin);
+        return fmt::format("{} {} {} {:.2f} {:.2f} {:.2f} {:.0f} % {}{:.1f} ", row.at("name"), row.at("kind"),
+                           areaText(), at("hours_mean_without_one57"), at("hours_min_without_one57"),
+                           at("hours_max_without_one57"), 100 * at("share_enough_without_one57"),
+                           gainMin > 0.05 ? "+" : "", gainMin);
     }
     [[nodiscard]] std::string onSheetsAsShadow() const {
         const double lossMin = at("change_shadow_min_without_one57");
-        return fmt::format("{} {} {:.0f} {:.0f} {:.0f} {:.0f} {:.0f} % {}{:.1f} ", row.at("name"),
-                           row.at("kind"), at("area_m2"), at("shadow_mean_min_without_one57"),
+        return fmt::format("{} {} {} {:.0f} {:.0f} {:.0f} {:.0f} % {}{:.1f} ", row.at("name"), row.at("kind"),
+                           areaText(), at("shadow_mean_min_without_one57"),
                            at("shadow_most_min_without_one57"), at("shadow_least_min_without_one57"),
                            100 * at("share_enough_without_one57"), lossMin > 0.05 ? "+" : "", lossMin);
     }
