@@ -16094,7 +16094,7 @@ Click a building first.</source>
     </message>
     <message>
         <source>or</source>
-        <translation> または </translation>
+        <translation>または</translation>
     </message>
     <message>
         <source>share</source>
