@@ -6,6 +6,8 @@
 //     view_bench [FILE, number of buildings or sample] [seconds for each] [folder for the pictures at rest]
 //                [number of trees]
 //
+// NOONMARK_TRIANGLES=1 draws triangles where the processor draws, as a graphics card does.
+//
 // With trees: the view plain without them, in leaf and bare, and in leaf in the sun.
 //
 // Needs a display: xvfb-run -a draws in software.
@@ -16,6 +18,7 @@
 #include <Qt3DCore/QEntity>
 #include <Qt3DLogic/QFrameAction>
 #include <Qt3DRender/QCamera>
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <glm/trigonometric.hpp>
@@ -64,12 +67,21 @@ public:
 
     void showSun(double hour) {
         if (view_.isTraced()) return view_.showTracedSun(towardsSun(hour));
-        const ViewBounds& bounds = view_.viewBounds();
-        view_.sun().show(
-            drawSunDepths(faces_, towardsSun(hour), {bounds.box, bounds.groundM, bounds.topM}, 2048));
+        SunDepthMap map = drawDepths(faces_, hour);
+        for (const CasterFaces& crowns : crowns_) {
+            const SunDepthMap own = drawDepths(crowns, hour);
+            if (map.crowns.empty()) map.crowns = own.depth;
+            std::ranges::transform(map.crowns, own.depth, map.crowns.begin(),
+                                   [](float a, float b) { return std::max(a, b); });
+        }
+        view_.sun().show(map);
     }
 
     void plant(std::shared_ptr<const Trees> trees, int dayOfYear) {
+        const CrownMeshes meshes = makeCrownMeshes(*trees);
+        crowns_ = {makeCasterFaces(meshes.evergreen)};
+        for (const CrownMeshes::Losing& losing : meshes.losingLeaves)
+            crowns_.push_back(makeCasterFaces(losing.crowns));
         auto rays = makeCrownRays(trees, {});
         view_.showTrees(std::move(trees), rays.value());
         view_.setTreeDay(dayOfYear);
@@ -133,6 +145,11 @@ public:
     }
 
 private:
+    SunDepthMap drawDepths(const CasterFaces& faces, double hour) const {
+        const ViewBounds& bounds = view_.viewBounds();
+        return drawSunDepths(faces, towardsSun(hour), {bounds.box, bounds.groundM, bounds.topM}, 2048);
+    }
+
     [[nodiscard]] Box2 middleBox() const {
         const glm::vec2 middle = (bounds(city_).low + bounds(city_).high) * 0.5F;
         return {middle - 400.0F, middle + 400.0F};
@@ -141,6 +158,7 @@ private:
     const City& city_;
     Qt3DLogic::QFrameAction* clock_;
     CasterFaces faces_;
+    std::vector<CasterFaces> crowns_;  ///< in leaf
     CityView view_;
 };
 
