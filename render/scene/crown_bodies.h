@@ -37,7 +37,7 @@ struct CrownRays {
 };
 /// What is traced of them on this day of the year, 1 to 366.
 std::vector<TracedTrees> listTraced(const CrownRays& rays, int dayOfYear);
-/// About 0.1 s for 100,000 trees. Error if memory runs out; cancelled() soon after a stop request.
+/// Error if memory runs out; cancelled() soon after a stop request.
 Result<std::shared_ptr<const CrownRays>> makeCrownRays(std::shared_ptr<const Trees> trees,
                                                        const std::stop_token& stop);
 

@@ -86,7 +86,7 @@ public:
                                  std::stop_token stop = {});
 
     /// Crowns instead of buildings, as exact bodies: rays meet them where they enter. Error and cancelled()
-    /// as above. Some 0.1 s for 100,000.
+    /// as above.
     static Result<RayScene> over(std::vector<GroupedCrown> crowns, std::stop_token stop = {});
 
     /// Whether the ray hits anything. `direction` need not have unit length. Some 0.1 us.

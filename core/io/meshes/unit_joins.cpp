@@ -165,21 +165,10 @@ void joinFloors(std::vector<MeshUnit>& units) {
 
 namespace {
 
-double distanceFrom(const Ring& ring, glm::dvec2 point) {
-    double minimum = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const glm::dvec2 a(ring[i]), along = glm::dvec2(ring[(i + 1) % ring.size()]) - a;
-        const double share =
-            std::clamp(glm::dot(point - a, along) / std::max(1e-12, glm::dot(along, along)), 0.0, 1.0);
-        minimum = std::min(minimum, glm::distance(point, a + share * along));
-    }
-    return minimum;
-}
-
 double distanceFrom(const std::vector<Footprint>& outline, glm::dvec2 point) {
     double minimum = std::numeric_limits<double>::max();
     for (const Footprint& piece : outline)
-        minimum = contains(piece, point) ? 0 : std::min(minimum, distanceFrom(piece.outer, point));
+        minimum = contains(piece, point) ? 0 : std::min(minimum, distanceTo(piece.outer, point));
     return minimum;
 }
 

@@ -144,8 +144,8 @@ TEST(SunShadow, TheNewestViewIsDrawnLast) {
     EXPECT_EQ(shadow.map(), nullptr);
 }
 
-// A tree of 10 m far from the houses, the sun at 45 degrees in the south: 12 m north of it lies the shade of
-// what is 12 m lower, so that of the crown's middle is some 6 m north.
+// The sun stands 45 degrees high in the south: shade falls as far north as what casts it is high. The middle
+// of the crown is 6 m high.
 TEST(SunShadow, TreesShadeTheGroundByTheirLeaves) {
     City city = test::smallCity();
     const glm::dvec2 place(150, -150);
